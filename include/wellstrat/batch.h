@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scalar functions of lookup.h, domain.h and hash.h over arrays, with the same bits.
+//
+// All are compiled into the library. `n` may be 0, and then pointers may be null. Arrays need no
+// alignment beyond that of their type. Input and output may be the same array where their types
+// are the same, but must not overlap otherwise. Safe in any thread for arrays that no other thread
+// writes.
+
+#pragma once
+
+#include "wellstrat/domain.h"
+#include "wellstrat/platform.h"
+#include "wellstrat/vector.h"
+
+#include <cstddef>
+
+namespace wellstrat {
+
+/// xis[i] = the sample of contexts[i], for i in [0, n): sample1D, sample2D, sample3D.
+WELLSTRAT_API void drawSamples1D(std::size_t n, const SampleCtx* contexts, float* xis);
+WELLSTRAT_API void drawSamples2D(std::size_t n, const SampleCtx* contexts, Float2* xis);
+WELLSTRAT_API void drawSamples3D(std::size_t n, const SampleCtx* contexts, Float3* xis);
+
+/// The same, and then one is added to each sampleid.
+WELLSTRAT_API void generateSamples1D(std::size_t n, SampleCtx* contexts, float* xis);
+WELLSTRAT_API void generateSamples2D(std::size_t n, SampleCtx* contexts, Float2* xis);
+WELLSTRAT_API void generateSamples3D(std::size_t n, SampleCtx* contexts, Float3* xis);
+
+/// children[i] = parents[i].NewDomain(scramble), for i in [0, n); likewise the others.
+WELLSTRAT_API void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                              SampleCtx* children);
+WELLSTRAT_API void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                                     unsigned newsampleid, SampleCtx* children);
+WELLSTRAT_API void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                                   unsigned newnumsamples, SampleCtx* children);
+
+/// xis[i] = HashToRandom(contexts[i].patternid, contexts[i].sampleid), for i in [0, n).
+WELLSTRAT_API void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis);
+
+} // namespace wellstrat

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Bit operations on 32-bit words, and the conversion of a word to a float in [0, 1).
+
+#pragma once
+
+#include "wellstrat/platform.h"
+
+#include <cstdint>
+
+namespace wellstrat {
+
+/// The bits of `x` in opposite order: bit 0 becomes bit 31. As a fraction of 2^32, the radical
+/// inverse of `x` in base 2.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseBits(uint32_t x) {
+    x = (x >> 16) | (x << 16);
+    x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
+    x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+    x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+    x = ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+    return x;
+}
+
+/// The low 8 bits of `x` in opposite order, the others dropped: reverseBits(x << 24) in four
+/// operations. One multiplication makes shifted copies, the mask keeps each bit where it is in
+/// its new order modulo 8, the other multiplication collects them.
+/// Anderson 2005, Bit Twiddling Hacks, https://graphics.stanford.edu/~seander/bithacks.html
+WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseByte(uint32_t x) {
+    const uint64_t spread = ((x & 0xffu) * 0x80200802ull) & 0x0884422110ull;
+    return static_cast<uint32_t>((spread * 0x0101010101ull) >> 32) & 0xffu;
+}
+
+/// Maps a uniform word to [0, n), n <= 512, by its upper 23 bits and without a division or a 64-bit
+/// product: floor(x / 2^9 * n / 2^23). No result is likelier than another by more than n / 2^23.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t scaleToRange(uint32_t x, uint32_t n) {
+    return ((x >> 9) * n) >> 23;
+}
+
+/// The float v / 2^32, rounded down to a multiple of 2^-24: uniform for uniform `v`, in [0, 1).
+///
+/// Of the four usual ways this is the one without a flaw:
+///
+///     v * 2^-32 in float       rounds to nearest: 1.0f for the 128 largest v
+///     the same, then min()     never 1.0f, but the last value is far too likely
+///     mantissa trick, [1,2)-1  only 23 bits
+///     (v >> 8) * 2^-24         24 bits, all exact, every value from 256 words   <- this
+WELLSTRAT_HOST_DEVICE constexpr float toUnitFloat(uint32_t v) {
+    return static_cast<float>(v >> 8) * 0x1p-24f;
+}
+
+} // namespace wellstrat

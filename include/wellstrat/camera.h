@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where sample contexts begin: at a pixel of a frame.
+
+#pragma once
+
+#include "wellstrat/domain.h"
+
+#include <cstdint>
+
+namespace wellstrat {
+
+namespace detail {
+
+/// Keeps the keys of frames apart from the scrambles of domains: "came" in ASCII.
+constexpr uint32_t kCameraKey = 0x63616d65u;
+
+} // namespace detail
+
+/// The domains that every camera has, to be derived from the context of `cameraContext`. The
+/// values are hexadecimal digits of the fraction of pi, so that nobody has chosen them.
+constexpr Scramble kPixelFilterScramble = static_cast<Scramble>(0x243f6a88u);
+constexpr Scramble kLensScramble = static_cast<Scramble>(0x85a308d3u);
+constexpr Scramble kTimeScramble = static_cast<Scramble>(0x13198a2eu);
+
+/// The context of sample `sampleid` of pixel (x, y) in `frame`: samples of one pixel share a
+/// pattern, and count up from sampleid 0.
+///
+/// x and y count modulo 2^16. Within a frame all 2^32 pixels have different patterns, so that any
+/// image of up to 65536 x 65536 pixels has no two alike, with or without negative coordinates for
+/// overscan. The frame is the key of the mapping and not added to the pixel, so noise does not
+/// slide over the image from frame to frame.
+WELLSTRAT_HOST_DEVICE constexpr SampleCtx cameraContext(int x, int y, unsigned frame,
+                                                        unsigned sampleid) {
+    const uint32_t pixel = (static_cast<uint32_t>(x) & 0xffffu) | (static_cast<uint32_t>(y) << 16);
+    return {permuteBits(pixel, permutationKey(frame ^ detail::kCameraKey)), sampleid};
+}
+
+} // namespace wellstrat

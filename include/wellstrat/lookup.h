@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a sample is: a pure function of (patternid, sampleid, coordinate). This scalar code is the
+// definition; every faster path gives the same bits.
+//
+//     pattern ---> table -----------+
+//        |                          v
+//        +---> nested shuffle ---> point ---> digital shift ---> float in [0, 1)
+//     sampleid -----^                              ^
+//        pattern ----------------------------------+
+//
+// Christensen, Kensler and Kilpatrick 2018, "Progressive Multi-Jittered Sample Sequences",
+// describe the kind of sequences; the order and the scrambling per pattern are Owen's (owen.h)
+// applied to the index and, with a constant for the tree, to the value.
+
+#pragma once
+
+#include "wellstrat/bits.h"
+#include "wellstrat/domain.h"
+#include "wellstrat/tables.h"
+#include "wellstrat/vector.h"
+
+namespace wellstrat {
+
+/// The key that gives x and y patterns of their own in `randomBits`.
+WELLSTRAT_HOST_DEVICE constexpr PermutationKey randomKey(Coordinate coordinate) {
+    return permutationKey(0x72616e64u + static_cast<uint32_t>(coordinate)); // "rand"
+}
+
+/// One independent hash for each coordinate: unstratified samples, for when the tables have run
+/// out and for comparison. `randomBits(p, s, Coordinate::z)` is `hashPair(p, s)`.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t randomBits(uint32_t patternid, uint32_t sampleid,
+                                                    Coordinate coordinate) {
+    if (coordinate != Coordinate::z) patternid = permuteBits(patternid, randomKey(coordinate));
+    return hashPair(patternid, sampleid);
+}
+
+/// What a lookup needs of a pattern: a well-mixed word. All else is this word times a constant.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t patternSeed(uint32_t patternid) {
+    return mixBits(patternid + detail::kGolden);
+}
+
+/// From one block's table to the next: 2^32 / 48, every eighth table.
+constexpr uint32_t kBlockStep = 0xffffffffu / (kStratifiedSamples / kTableSize);
+
+/// The table of a block of 4096 samples, `block` in [0, 48). Block 0 has a uniformly random table;
+/// the blocks take every eighth table from there on, so the 48 of one pattern differ.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOfBlock(uint32_t seed, uint32_t block) {
+    return scaleToRange(seed + block * kBlockStep, kTableCount);
+}
+
+/// Where in its group of 256 a sample is looked up: a nested shuffle of each aligned group, in
+/// which each of the 255 swaps (halves of the group, quarters, ..., neighbours) is decided by a
+/// hash of the seed, the group and the place in the tree. Runs of 2^m samples stay such runs.
+///
+/// Take the index with its bits in opposite order, so that the swap of the halves is the flip of
+/// the lowest bit and any other flip may depend on lower bits only. That is what integer addition,
+/// multiplication by an odd number, and r ^= r * even do (Klimov and Shamir 2003, "A New Class of
+/// Invertible Mappings"; Laine and Karras 2011, section 3.1, use it for scrambling). The number of
+/// the group stands below these bits and so takes part in every swap:
+///
+///     r    | sampleid bits 0 1 2 3 4 5 6 7 | sampleid bits 17 to 8 |
+///     bit   17                           10 9                     0
+///
+/// That each single swap is fair and that any two, and any four, are independent, within a group
+/// and between groups, is tested (tests/statistical/shuffle_test.cpp). Cheaper versions fail
+/// there, and so do swaps that are shared by nodes of the tree.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t shuffledPlace(uint32_t seed, uint32_t sampleid) {
+    uint32_t r = (reverseByte(sampleid) << 10) | (sampleid >> 8);
+    r += (seed * 0xa54ff53bu) >> 14; // sqrt(7)
+    r *= seed | 1u;
+    r ^= r * 0x3d20adeau; // multipliers of Vegdahl's hash for the same purpose,
+    r ^= r * 0x05526c56u; // https://psychopath.io/post/2021_01_30_building_a_better_lk_hash
+    r ^= r * 0x53a22864u;
+    return (r >> 10) & (kGroupSize - 1);
+}
+
+/// Where the point of a sample lies in the tables. `sampleid` is below kStratifiedSamples.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t sampleOffset(uint32_t seed, uint32_t sampleid) {
+    const uint32_t group = (sampleid % kTableSize) / kGroupSize;
+    const uint32_t table = tableOfBlock(seed, sampleid / kTableSize);
+    return (group * kTableCount + table) * kGroupSize + shuffledPlace(seed, sampleid);
+}
+
+/// What is XORed to a coordinate of all samples of a pattern.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t digitalShift(uint32_t seed, Coordinate coordinate) {
+    switch (coordinate) {
+    case Coordinate::x: return seed * 0x6a09e667u; // sqrt(2)
+    case Coordinate::y: return seed * 0xbb67ae85u; // sqrt(3)
+    default: return seed * 0x3c6ef373u;            // sqrt(5)
+    }
+}
+
+/// Sample `sampleid` of pattern `patternid` from `data`: z of the point in [0, 1), so that a 1D and
+/// a 2D draw from one context make one 3D point.
+WELLSTRAT_HOST_DEVICE inline float sample1D(const TableData& data, uint32_t patternid,
+                                            uint32_t sampleid) {
+    if (sampleid >= kStratifiedSamples) {
+        return toUnitFloat(randomBits(patternid, sampleid, Coordinate::z));
+    }
+    const uint32_t seed = patternSeed(patternid);
+    const uint32_t offset = sampleOffset(seed, sampleid);
+    return toUnitFloat(data.z[offset] ^ digitalShift(seed, Coordinate::z));
+}
+
+/// The same for (x, y) of the point.
+WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const TableData& data, uint32_t patternid,
+                                             uint32_t sampleid) {
+    if (sampleid >= kStratifiedSamples) {
+        return {toUnitFloat(randomBits(patternid, sampleid, Coordinate::x)),
+                toUnitFloat(randomBits(patternid, sampleid, Coordinate::y))};
+    }
+    const uint32_t seed = patternSeed(patternid);
+    const uint32_t offset = sampleOffset(seed, sampleid);
+    const uint32_t word = data.xy[offset];
+    const uint32_t leaf = leafBits(offset);
+    return {toUnitFloat(tableX(word, leaf) ^ digitalShift(seed, Coordinate::x)),
+            toUnitFloat(tableY(word, leaf) ^ digitalShift(seed, Coordinate::y))};
+}
+
+/// The same for the whole point: (x, y) of `sample2D` and z of `sample1D`.
+WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const TableData& data, uint32_t patternid,
+                                             uint32_t sampleid) {
+    const Float2 xy = sample2D(data, patternid, sampleid);
+    return {xy.x, xy.y, sample1D(data, patternid, sampleid)};
+}
+
+/// The same from the tables of the process, which the first call builds. Safe in any thread.
+inline float sample1D(uint32_t patternid, uint32_t sampleid) {
+    return sample1D(tables(), patternid, sampleid);
+}
+inline Float2 sample2D(uint32_t patternid, uint32_t sampleid) {
+    return sample2D(tables(), patternid, sampleid);
+}
+inline Float3 sample3D(uint32_t patternid, uint32_t sampleid) {
+    return sample3D(tables(), patternid, sampleid);
+}
+
+} // namespace wellstrat

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Marks that the other headers put on their functions.
+
+#pragma once
+
+/// On functions that a GPU kernel may call too.
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define WELLSTRAT_HOST_DEVICE __host__ __device__
+#else
+#define WELLSTRAT_HOST_DEVICE
+#endif
+
+/// On the compiled functions and data of the library, whose other symbols stay hidden.
+#if defined(_WIN32)
+#define WELLSTRAT_API
+#else
+#define WELLSTRAT_API __attribute__((visibility("default")))
+#endif

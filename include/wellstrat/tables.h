@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tables: 384 sequences of 4096 three-dimensional points each, the first three Sobol'
+// dimensions, each with its own nested uniform scrambling (owen.h).
+//
+// What is stored and what is not. The first 12 binary digits of a coordinate decide everything
+// about the stratification of 4096 points. The scrambling of the digits after them is one
+// independent random bit for each point, since no two points share 12 digits of a coordinate; such
+// bits need no memory. So 12 digits come from the scrambled sequence, and 12 more, to the 24 of a
+// float, are a hash of the point's place, taken when the point is read for x and y, and when the
+// table is built for z:
+//
+//     bit      31 ......... 20 19 .......... 8 7 .. 0
+//     value    digits 1 to 12  digits 13 to 24  zero     any coordinate
+//     xy word  x, 12 digits    y, 12 digits     zero     one load gives a 2D point
+//     z word   the value
+//
+// Order in memory: the same 256 samples of all tables lie side by side, since a renderer draws
+// about the same sampleid from all tables at a time; within such a group the sample with the
+// index i stands at the place with the bits of i in opposite order, which is the order that the
+// shuffle in lookup.h produces. Figures for this layout and others are in
+// docs/decisions/0002-table-layout.md.
+
+#pragma once
+
+#include "wellstrat/bits.h"
+#include "wellstrat/hash.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+namespace wellstrat {
+
+constexpr unsigned kTableCount = 384;
+constexpr unsigned kTableSizeLog2 = 12;
+constexpr unsigned kTableSize = 1u << kTableSizeLog2;
+/// The order of samples is shuffled within aligned groups of this many.
+constexpr unsigned kGroupSize = 256;
+/// Of this many samples in a row each pattern takes from tables, every block of 4096 from another
+/// one; samples beyond are unstratified.
+constexpr unsigned kStratifiedSamples = 48 * kTableSize;
+
+/// The axes of a table point.
+enum class Coordinate : unsigned { x = 0, y = 1, z = 2 };
+
+/// All tables as they lie in memory. Read-only and valid until the program ends.
+struct TableData {
+    const uint32_t* xy; ///< kTableCount * kTableSize words
+    const uint32_t* z;  ///< the same number
+};
+
+/// Where sample `index` in [0, kTableSize) of `table` in [0, kTableCount) lies in both arrays.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOffset(uint32_t table, uint32_t index) {
+    return ((index / kGroupSize) * kTableCount + table) * kGroupSize + reverseByte(index);
+}
+
+/// Digits 13 to 24 of x, in bits 31..20, and of y, in bits 19..8, of the point at `offset`. The
+/// multipliers, here and in lookup.h, are fractional parts of square roots of primes, made odd:
+/// numbers that nobody has chosen.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBits(uint32_t offset) {
+    uint32_t bits = offset * 0x510e527fu; // sqrt(11)
+    bits ^= bits >> 15;
+    return bits * 0x9b05688du; // sqrt(13)
+}
+
+/// The values of x and y as fractions of 2^32, from the xy word of a point and its leaf bits.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t tableX(uint32_t xyWord, uint32_t leaf) {
+    return (xyWord & 0xfff00000u) | ((leaf >> 12) & 0x000fff00u);
+}
+WELLSTRAT_HOST_DEVICE constexpr uint32_t tableY(uint32_t xyWord, uint32_t leaf) {
+    return (xyWord << 12) | (leaf & 0x000fff00u);
+}
+
+namespace detail {
+
+/// Null until the tables are built. `tables()` is how to read it.
+extern WELLSTRAT_API std::atomic<const TableData*> tableData;
+
+} // namespace detail
+
+/// Builds the tables if that has not been done; takes some milliseconds the first time. Call it at
+/// start-up to keep that time out of the first draw. Any number of threads may call at once; all
+/// return when the tables are ready. Throws std::bad_alloc without memory (10 MB).
+WELLSTRAT_API const TableData& buildTables();
+
+/// The tables, built at the first call. Safe in any thread.
+inline const TableData& tables() {
+    const TableData* data = detail::tableData.load(std::memory_order_acquire);
+    return data != nullptr ? *data : buildTables();
+}
+
+/// One coordinate of sample `index` in [0, kTableSize) of `table` in [0, kTableCount), as a
+/// fraction of 2^32 and a multiple of 2^-24. Out of range is undefined.
+WELLSTRAT_API uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate);
+
+/// The memory that the tables take once they are built, in bytes.
+WELLSTRAT_API std::size_t tableBytes();
+
+/// The seed of the nested uniform scrambling of one coordinate of a table.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t tableSeed(unsigned table, Coordinate coordinate) {
+    return hashPair(0x77656c6cu /* "well" */, table * 4 + static_cast<unsigned>(coordinate));
+}
+
+} // namespace wellstrat

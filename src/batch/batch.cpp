@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "wellstrat/batch.h"
+
+#include "kernels.h"
+#include "wellstrat/batch_target.h"
+
+#include <atomic>
+#include <cstring>
+
+namespace wellstrat {
+namespace {
+
+using batch::Kernels;
+
+/// Null until the first batch or until a target is forced.
+std::atomic<const Kernels*> chosen{nullptr};
+
+const Kernels* kernelsAt(unsigned index) {
+    const Kernels* const* vector = batch::vectorKernels();
+    for (; *vector != nullptr && index > 0; --index) ++vector;
+    if (*vector != nullptr) return *vector;
+    return index == 0 ? &batch::kScalarKernels : nullptr;
+}
+
+const Kernels& kernels() {
+    const Kernels* current = chosen.load(std::memory_order_relaxed);
+    if (current == nullptr) {
+        current = kernelsAt(0);
+        chosen.store(current, std::memory_order_relaxed);
+    }
+    return *current;
+}
+
+/// The kernels of a draw do not write to the contexts when the step is 0.
+SampleCtx* readOnly(const SampleCtx* contexts) { return const_cast<SampleCtx*>(contexts); }
+
+} // namespace
+
+const char* batchTarget(unsigned index) {
+    const Kernels* k = kernelsAt(index);
+    return k != nullptr ? k->target : nullptr;
+}
+
+const char* chosenBatchTarget() { return kernels().target; }
+
+bool forceBatchTarget(const char* name) {
+    for (unsigned i = 0; const Kernels* k = kernelsAt(i); ++i) {
+        if (std::strcmp(k->target, name) == 0) {
+            chosen.store(k, std::memory_order_relaxed);
+            return true;
+        }
+    }
+    return false;
+}
+
+void drawSamples1D(std::size_t n, const SampleCtx* contexts, float* xis) {
+    if (n > 0) kernels().draw1D(n, tables(), readOnly(contexts), 0, xis);
+}
+
+void drawSamples2D(std::size_t n, const SampleCtx* contexts, Float2* xis) {
+    if (n > 0) kernels().draw2D(n, tables(), readOnly(contexts), 0, xis);
+}
+
+void drawSamples3D(std::size_t n, const SampleCtx* contexts, Float3* xis) {
+    if (n > 0) kernels().draw3D(n, tables(), readOnly(contexts), 0, xis);
+}
+
+void generateSamples1D(std::size_t n, SampleCtx* contexts, float* xis) {
+    if (n > 0) kernels().draw1D(n, tables(), contexts, 1, xis);
+}
+
+void generateSamples2D(std::size_t n, SampleCtx* contexts, Float2* xis) {
+    if (n > 0) kernels().draw2D(n, tables(), contexts, 1, xis);
+}
+
+void generateSamples3D(std::size_t n, SampleCtx* contexts, Float3* xis) {
+    if (n > 0) kernels().draw3D(n, tables(), contexts, 1, xis);
+}
+
+void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {
+    newDomainsSplit(n, parents, scramble, 1, children);
+}
+
+void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                       unsigned newsampleid, SampleCtx* children) {
+    if (n > 0) kernels().newDomainsDistrib(n, parents, scramble, newsampleid, children);
+}
+
+void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                     unsigned newnumsamples, SampleCtx* children) {
+    if (n > 0) kernels().newDomainsSplit(n, parents, scramble, newnumsamples, children);
+}
+
+void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
+    if (n > 0) kernels().hashToRandom(n, contexts, xis);
+}
+
+} // namespace wellstrat

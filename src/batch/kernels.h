@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The functions of batch.h, one set for each instruction set.
+
+#pragma once
+
+#include "wellstrat/batch.h"
+#include "wellstrat/tables.h"
+
+namespace wellstrat {
+namespace batch {
+
+/// n >= 1 in all. The draws add `step`, 0 or 1, to each sampleid after its draw; with 0 the
+/// contexts are not written to.
+struct Kernels {
+    const char* target;
+    void (*draw1D)(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step,
+                   float* xis);
+    void (*draw2D)(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step,
+                   Float2* xis);
+    void (*draw3D)(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step,
+                   Float3* xis);
+    void (*newDomainsSplit)(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                            unsigned newnumsamples, SampleCtx* children);
+    void (*newDomainsDistrib)(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                              unsigned newsampleid, SampleCtx* children);
+    void (*hashToRandom)(std::size_t n, const SampleCtx* contexts, float* xis);
+};
+
+/// Plain loops over the scalar functions: the reference, and the code for processors that no other
+/// set is for.
+extern const Kernels kScalarKernels;
+
+/// Those sets of vector code that this processor can run, best first; ends with a null pointer.
+const Kernels* const* vectorKernels();
+
+} // namespace batch
+} // namespace wellstrat

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "kernels.h"
+
+#include "wellstrat/lookup.h"
+
+namespace wellstrat {
+namespace batch {
+namespace {
+
+template <auto kSample, typename Sample>
+void draw(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step, Sample* xis) {
+    for (std::size_t i = 0; i < n; ++i) {
+        xis[i] = kSample(data, contexts[i].patternid, contexts[i].sampleid);
+        if (step != 0) contexts[i].sampleid += step;
+    }
+}
+
+void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                     unsigned newnumsamples, SampleCtx* children) {
+    for (std::size_t i = 0; i < n; ++i) {
+        children[i] = parents[i].NewDomainSplit(scramble, newnumsamples);
+    }
+}
+
+void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                       unsigned newsampleid, SampleCtx* children) {
+    for (std::size_t i = 0; i < n; ++i) {
+        children[i] = parents[i].NewDomainDistrib(scramble, newsampleid);
+    }
+}
+
+void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
+    for (std::size_t i = 0; i < n; ++i) {
+        xis[i] = toUnitFloat(hashPair(contexts[i].patternid, contexts[i].sampleid));
+    }
+}
+
+using Sample1D = float (*)(const TableData&, uint32_t, uint32_t);
+using Sample2D = Float2 (*)(const TableData&, uint32_t, uint32_t);
+using Sample3D = Float3 (*)(const TableData&, uint32_t, uint32_t);
+
+} // namespace
+
+const Kernels kScalarKernels = {
+    "scalar",
+    draw<static_cast<Sample1D>(sample1D)>,
+    draw<static_cast<Sample2D>(sample2D)>,
+    draw<static_cast<Sample3D>(sample3D)>,
+    newDomainsSplit,
+    newDomainsDistrib,
+    hashToRandom,
+};
+
+} // namespace batch
+} // namespace wellstrat
