@@ -91,20 +91,20 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t digitalShift(uint32_t seed, Coordinate 
     }
 }
 
-/// Sample `sampleid` of pattern `patternid` from `data`: z of the point in [0, 1), so that a 1D and
-/// a 2D draw from one context make one 3D point.
-WELLSTRAT_HOST_DEVICE inline float sample1D(const TableData& data, uint32_t patternid,
+/// Sample `sampleid` of pattern `patternid` from the tables at `words`: z of the point in [0, 1),
+/// so that a 1D and a 2D draw from one context make one 3D point.
+WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patternid,
                                             uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) {
         return toUnitFloat(randomBits(patternid, sampleid, Coordinate::z));
     }
     const uint32_t seed = patternSeed(patternid);
     const uint32_t offset = sampleOffset(seed, sampleid);
-    return toUnitFloat(data.z[offset] ^ digitalShift(seed, Coordinate::z));
+    return toUnitFloat(words[kTablePoints + offset] ^ digitalShift(seed, Coordinate::z));
 }
 
 /// The same for (x, y) of the point.
-WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const TableData& data, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) {
         return {toUnitFloat(randomBits(patternid, sampleid, Coordinate::x)),
@@ -112,17 +112,17 @@ WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const TableData& data, uint32_t pat
     }
     const uint32_t seed = patternSeed(patternid);
     const uint32_t offset = sampleOffset(seed, sampleid);
-    const uint32_t word = data.xy[offset];
+    const uint32_t word = words[offset];
     const uint32_t leaf = leafBits(offset);
     return {toUnitFloat(tableX(word, leaf) ^ digitalShift(seed, Coordinate::x)),
             toUnitFloat(tableY(word, leaf) ^ digitalShift(seed, Coordinate::y))};
 }
 
 /// The same for the whole point: (x, y) of `sample2D` and z of `sample1D`.
-WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const TableData& data, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
-    const Float2 xy = sample2D(data, patternid, sampleid);
-    return {xy.x, xy.y, sample1D(data, patternid, sampleid)};
+    const Float2 xy = sample2D(words, patternid, sampleid);
+    return {xy.x, xy.y, sample1D(words, patternid, sampleid)};
 }
 
 /// The same from the tables of the process, which the first call builds. Safe in any thread.

@@ -44,13 +44,11 @@ constexpr unsigned kStratifiedSamples = 48 * kTableSize;
 /// The axes of a table point.
 enum class Coordinate : unsigned { x = 0, y = 1, z = 2 };
 
-/// All tables as they lie in memory. Read-only and valid until the program ends.
-struct TableData {
-    const uint32_t* xy; ///< kTableCount * kTableSize words
-    const uint32_t* z;  ///< the same number
-};
+/// The points of all tables. In memory: their xy words, then their z words.
+constexpr uint32_t kTablePoints = kTableCount * kTableSize;
 
-/// Where sample `index` in [0, kTableSize) of `table` in [0, kTableCount) lies in both arrays.
+/// Where the xy word of sample `index` in [0, kTableSize) of `table` in [0, kTableCount) lies; the
+/// z word lies kTablePoints further on.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOffset(uint32_t table, uint32_t index) {
     return ((index / kGroupSize) * kTableCount + table) * kGroupSize + reverseByte(index);
 }
@@ -64,6 +62,11 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBits(uint32_t offset) {
     return bits * 0x9b05688du; // sqrt(13)
 }
 
+/// Digits 13 to 24 of z of that point, where they are in the value: bits 19..8.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBitsZ(uint32_t offset) {
+    return (leafBits(offset) * 0x1f83d9abu >> 12) & 0x000fff00u; // sqrt(17)
+}
+
 /// The values of x and y as fractions of 2^32, from the xy word of a point and its leaf bits.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableX(uint32_t xyWord, uint32_t leaf) {
     return (xyWord & 0xfff00000u) | ((leaf >> 12) & 0x000fff00u);
@@ -75,19 +78,20 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t tableY(uint32_t xyWord, uint32_t leaf) 
 namespace detail {
 
 /// Null until the tables are built. `tables()` is how to read it.
-extern WELLSTRAT_API std::atomic<const TableData*> tableData;
+extern WELLSTRAT_API std::atomic<const uint32_t*> tableWords;
 
 } // namespace detail
 
-/// Builds the tables if that has not been done; takes some milliseconds the first time. Call it at
-/// start-up to keep that time out of the first draw. Any number of threads may call at once; all
-/// return when the tables are ready. Throws std::bad_alloc without memory (10 MB).
-WELLSTRAT_API const TableData& buildTables();
+/// Builds the tables if that has not been done, which takes some milliseconds, and returns them.
+/// Call it at start-up to keep that time out of the first draw. Any number of threads may call at
+/// once; all return when the tables are ready. Throws std::bad_alloc without memory (12 MiB).
+WELLSTRAT_API const uint32_t* buildTables();
 
-/// The tables, built at the first call. Safe in any thread.
-inline const TableData& tables() {
-    const TableData* data = detail::tableData.load(std::memory_order_acquire);
-    return data != nullptr ? *data : buildTables();
+/// The 2 * kTablePoints words of the tables, which the first call builds. Read-only, and valid
+/// until the program ends. Safe in any thread.
+inline const uint32_t* tables() {
+    const uint32_t* words = detail::tableWords.load(std::memory_order_acquire);
+    return words != nullptr ? words : buildTables();
 }
 
 /// One coordinate of sample `index` in [0, kTableSize) of `table` in [0, kTableCount), as a

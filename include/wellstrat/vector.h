@@ -6,11 +6,16 @@
 
 #pragma once
 
+#include "wellstrat/platform.h"
+
 #include <type_traits>
 
 // <cmath> is 20,000 lines, most of what including RixRNG.h would cost, so it is left out where the
 // compiler has the two functions built in.
-#if !defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#define WELLSTRAT_BUILTIN_MATH 1
+#else
+#define WELLSTRAT_BUILTIN_MATH 0
 #include <cmath>
 #endif
 
@@ -18,75 +23,113 @@ namespace wellstrat {
 
 namespace detail {
 
-#if defined(__GNUC__)
+#if WELLSTRAT_BUILTIN_MATH
 inline float squareRoot(float x) { return __builtin_sqrtf(x); }
 inline float copySign(float magnitude, float sign) { return __builtin_copysignf(magnitude, sign); }
 #else
-inline float squareRoot(float x) { return std::sqrt(x); }
-inline float copySign(float magnitude, float sign) { return std::copysign(magnitude, sign); }
+WELLSTRAT_HOST_DEVICE inline float squareRoot(float x) { return std::sqrt(x); }
+WELLSTRAT_HOST_DEVICE inline float copySign(float magnitude, float sign) {
+    return std::copysign(magnitude, sign);
+}
 #endif
 
 } // namespace detail
 
-/// A 2D sample or point. Not initialised by default: arrays of it cost nothing.
+#undef WELLSTRAT_BUILTIN_MATH
+
+/// A 2D sample or point. Not initialized by default: arrays of it cost nothing.
 struct Float2 {
     float x, y;
 
     Float2() = default;
-    constexpr Float2(float x_, float y_) : x(x_), y(y_) {}
+    WELLSTRAT_HOST_DEVICE constexpr Float2(float x_, float y_) : x(x_), y(y_) {}
+
+    /// x or y, for i of 0 or 1. Other indices are not checked.
+    WELLSTRAT_HOST_DEVICE constexpr float operator[](int i) const { return i == 0 ? x : y; }
+    WELLSTRAT_HOST_DEVICE constexpr float& operator[](int i) { return i == 0 ? x : y; }
 };
 
-/// A 3D sample, point, vector or normal. Not initialised by default.
+/// A 3D sample, point, vector or normal. Not initialized by default.
 struct Float3 {
     float x, y, z;
 
     Float3() = default;
-    constexpr explicit Float3(float s) : x(s), y(s), z(s) {}
-    constexpr Float3(float x_, float y_, float z_) : x(x_), y(y_), z(z_) {}
+    WELLSTRAT_HOST_DEVICE constexpr explicit Float3(float s) : x(s), y(s), z(s) {}
+    WELLSTRAT_HOST_DEVICE constexpr Float3(float x_, float y_, float z_) : x(x_), y(y_), z(z_) {}
 
-    constexpr float Dot(const Float3& b) const { return x * b.x + y * b.y + z * b.z; }
-    constexpr Float3 Cross(const Float3& b) const {
+    /// x, y or z, for i of 0, 1 or 2. Other indices are not checked.
+    WELLSTRAT_HOST_DEVICE constexpr float operator[](int i) const {
+        return i == 0 ? x : i == 1 ? y : z;
+    }
+    WELLSTRAT_HOST_DEVICE constexpr float& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+
+    WELLSTRAT_HOST_DEVICE constexpr float Dot(const Float3& b) const {
+        return x * b.x + y * b.y + z * b.z;
+    }
+    WELLSTRAT_HOST_DEVICE constexpr Float3 Cross(const Float3& b) const {
         return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
     }
-    constexpr float LengthSq() const { return Dot(*this); }
-    float Length() const { return detail::squareRoot(LengthSq()); }
+    WELLSTRAT_HOST_DEVICE constexpr float LengthSq() const { return Dot(*this); }
+    WELLSTRAT_HOST_DEVICE float Length() const { return detail::squareRoot(LengthSq()); }
     /// Scales to length 1 and returns the length it had. A zero vector stays as it is.
-    float Normalize();
+    WELLSTRAT_HOST_DEVICE float Normalize();
     /// Two unit vectors that form a right-handed frame (u, v, this). This vector has length 1.
     /// Duff et al. 2017, "Building an Orthonormal Basis, Revisited", JCGT 6(1), listing 3.
-    void CreateOrthonormalBasis(Float3& u, Float3& v) const;
+    WELLSTRAT_HOST_DEVICE void CreateOrthonormalBasis(Float3& u, Float3& v) const;
 };
 
 static_assert(std::is_trivially_copyable<Float2>::value && sizeof(Float2) == 8, "two floats");
 static_assert(std::is_trivially_copyable<Float3>::value && sizeof(Float3) == 12, "three floats");
 
-constexpr Float2 operator+(Float2 a, Float2 b) { return {a.x + b.x, a.y + b.y}; }
-constexpr Float2 operator-(Float2 a, Float2 b) { return {a.x - b.x, a.y - b.y}; }
-constexpr Float2 operator*(Float2 a, float s) { return {a.x * s, a.y * s}; }
-constexpr Float2 operator*(float s, Float2 a) { return a * s; }
-constexpr bool operator==(Float2 a, Float2 b) { return a.x == b.x && a.y == b.y; }
-constexpr bool operator!=(Float2 a, Float2 b) { return !(a == b); }
+WELLSTRAT_HOST_DEVICE constexpr Float2 operator+(Float2 a, Float2 b) {
+    return {a.x + b.x, a.y + b.y};
+}
+WELLSTRAT_HOST_DEVICE constexpr Float2 operator-(Float2 a, Float2 b) {
+    return {a.x - b.x, a.y - b.y};
+}
+WELLSTRAT_HOST_DEVICE constexpr Float2 operator*(Float2 a, float s) { return {a.x * s, a.y * s}; }
+WELLSTRAT_HOST_DEVICE constexpr Float2 operator*(float s, Float2 a) { return a * s; }
+WELLSTRAT_HOST_DEVICE constexpr bool operator==(Float2 a, Float2 b) {
+    return a.x == b.x && a.y == b.y;
+}
+WELLSTRAT_HOST_DEVICE constexpr bool operator!=(Float2 a, Float2 b) { return !(a == b); }
 
-constexpr Float3 operator+(Float3 a, Float3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr Float3 operator-(Float3 a, Float3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-constexpr Float3 operator-(Float3 a) { return {-a.x, -a.y, -a.z}; }
-constexpr Float3 operator*(Float3 a, float s) { return {a.x * s, a.y * s, a.z * s}; }
-constexpr Float3 operator*(float s, Float3 a) { return a * s; }
-constexpr Float3 operator/(Float3 a, float s) { return {a.x / s, a.y / s, a.z / s}; }
-constexpr Float3& operator+=(Float3& a, Float3 b) { return a = a + b; }
-constexpr Float3& operator-=(Float3& a, Float3 b) { return a = a - b; }
-constexpr Float3& operator*=(Float3& a, float s) { return a = a * s; }
-constexpr Float3& operator/=(Float3& a, float s) { return a = a / s; }
-constexpr bool operator==(Float3 a, Float3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
-constexpr bool operator!=(Float3 a, Float3 b) { return !(a == b); }
+WELLSTRAT_HOST_DEVICE constexpr Float3 operator+(Float3 a, Float3 b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+WELLSTRAT_HOST_DEVICE constexpr Float3 operator-(Float3 a, Float3 b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+WELLSTRAT_HOST_DEVICE constexpr Float3 operator-(Float3 a) { return {-a.x, -a.y, -a.z}; }
+WELLSTRAT_HOST_DEVICE constexpr Float3 operator*(Float3 a, float s) {
+    return {a.x * s, a.y * s, a.z * s};
+}
+WELLSTRAT_HOST_DEVICE constexpr Float3 operator*(float s, Float3 a) { return a * s; }
+WELLSTRAT_HOST_DEVICE constexpr Float3 operator/(Float3 a, float s) {
+    return {a.x / s, a.y / s, a.z / s};
+}
+WELLSTRAT_HOST_DEVICE constexpr Float3& operator+=(Float3& a, Float3 b) { return a = a + b; }
+WELLSTRAT_HOST_DEVICE constexpr Float3& operator-=(Float3& a, Float3 b) { return a = a - b; }
+WELLSTRAT_HOST_DEVICE constexpr Float3& operator*=(Float3& a, float s) { return a = a * s; }
+WELLSTRAT_HOST_DEVICE constexpr Float3& operator/=(Float3& a, float s) { return a = a / s; }
+WELLSTRAT_HOST_DEVICE constexpr bool operator==(Float3 a, Float3 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+WELLSTRAT_HOST_DEVICE constexpr bool operator!=(Float3 a, Float3 b) { return !(a == b); }
 
-inline float Float3::Normalize() {
+/// The members as free functions, which published plug-ins use too.
+WELLSTRAT_HOST_DEVICE constexpr float Dot(const Float3& a, const Float3& b) { return a.Dot(b); }
+WELLSTRAT_HOST_DEVICE constexpr Float3 Cross(const Float3& a, const Float3& b) {
+    return a.Cross(b);
+}
+
+WELLSTRAT_HOST_DEVICE inline float Float3::Normalize() {
     const float length = Length();
     if (length > 0.0f) *this /= length;
     return length;
 }
 
-inline void Float3::CreateOrthonormalBasis(Float3& u, Float3& v) const {
+WELLSTRAT_HOST_DEVICE inline void Float3::CreateOrthonormalBasis(Float3& u, Float3& v) const {
     const float sign = detail::copySign(1.0f, z);
     const float a = -1.0f / (sign + z);
     const float b = x * y * a;

@@ -14,11 +14,11 @@ namespace batch {
 /// contexts are not written to.
 struct Kernels {
     const char* target;
-    void (*draw1D)(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step,
+    void (*draw1D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    float* xis);
-    void (*draw2D)(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step,
+    void (*draw2D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    Float2* xis);
-    void (*draw3D)(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step,
+    void (*draw3D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    Float3* xis);
     void (*newDomainsSplit)(std::size_t n, const SampleCtx* parents, Scramble scramble,
                             unsigned newnumsamples, SampleCtx* children);

@@ -9,9 +9,9 @@ namespace batch {
 namespace {
 
 template <auto kSample, typename Sample>
-void draw(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step, Sample* xis) {
+void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
     for (std::size_t i = 0; i < n; ++i) {
-        xis[i] = kSample(data, contexts[i].patternid, contexts[i].sampleid);
+        xis[i] = kSample(words, contexts[i].patternid, contexts[i].sampleid);
         if (step != 0) contexts[i].sampleid += step;
     }
 }
@@ -36,9 +36,9 @@ void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
     }
 }
 
-using Sample1D = float (*)(const TableData&, uint32_t, uint32_t);
-using Sample2D = Float2 (*)(const TableData&, uint32_t, uint32_t);
-using Sample3D = Float3 (*)(const TableData&, uint32_t, uint32_t);
+using Sample1D = float (*)(const uint32_t*, uint32_t, uint32_t);
+using Sample2D = Float2 (*)(const uint32_t*, uint32_t, uint32_t);
+using Sample3D = Float3 (*)(const uint32_t*, uint32_t, uint32_t);
 
 } // namespace
 

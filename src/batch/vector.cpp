@@ -137,9 +137,9 @@ HWY_INLINE V orRandom(V stratified, V patternid, V sampleid, Coordinate coordina
 
 // One vector of samples. Beyond the tables the offset means nothing, but is always inside them.
 
-HWY_INLINE void sampleXY(const TableData& data, V patternid, V sampleid, V seed, V offset, F& x,
+HWY_INLINE void sampleXY(const uint32_t* words, V patternid, V sampleid, V seed, V offset, F& x,
                          F& y) {
-    const V word = gather(data.xy, offset);
+    const V word = gather(words, offset);
     const V leaf = leafBits(offset);
     const V digits13To24 = constant(0x000fff00u);
     const V tableX = hn::Or(hn::And(word, constant(0xfff00000u)),
@@ -151,31 +151,31 @@ HWY_INLINE void sampleXY(const TableData& data, V patternid, V sampleid, V seed,
         orRandom(shifted(tableY, seed, Coordinate::y), patternid, sampleid, Coordinate::y));
 }
 
-HWY_INLINE F sampleZ(const TableData& data, V patternid, V sampleid, V seed, V offset) {
-    const V value = shifted(gather(data.z, offset), seed, Coordinate::z);
+HWY_INLINE F sampleZ(const uint32_t* words, V patternid, V sampleid, V seed, V offset) {
+    const V value = shifted(gather(words + kTablePoints, offset), seed, Coordinate::z);
     return toUnitFloat(orRandom(value, patternid, sampleid, Coordinate::z));
 }
 
-HWY_INLINE void storeSamples(const TableData& data, V patternid, V sampleid, float* xis) {
+HWY_INLINE void storeSamples(const uint32_t* words, V patternid, V sampleid, float* xis) {
     const V seed = patternSeed(patternid);
     const V offset = sampleOffset(seed, sampleid);
-    hn::StoreU(sampleZ(data, patternid, sampleid, seed, offset), kFloats, xis);
+    hn::StoreU(sampleZ(words, patternid, sampleid, seed, offset), kFloats, xis);
 }
 
-HWY_INLINE void storeSamples(const TableData& data, V patternid, V sampleid, Float2* xis) {
+HWY_INLINE void storeSamples(const uint32_t* words, V patternid, V sampleid, Float2* xis) {
     const V seed = patternSeed(patternid);
     const V offset = sampleOffset(seed, sampleid);
     F x, y;
-    sampleXY(data, patternid, sampleid, seed, offset, x, y);
+    sampleXY(words, patternid, sampleid, seed, offset, x, y);
     hn::StoreInterleaved2(x, y, kFloats, reinterpret_cast<float*>(xis));
 }
 
-HWY_INLINE void storeSamples(const TableData& data, V patternid, V sampleid, Float3* xis) {
+HWY_INLINE void storeSamples(const uint32_t* words, V patternid, V sampleid, Float3* xis) {
     const V seed = patternSeed(patternid);
     const V offset = sampleOffset(seed, sampleid);
     F x, y;
-    sampleXY(data, patternid, sampleid, seed, offset, x, y);
-    const F z = sampleZ(data, patternid, sampleid, seed, offset);
+    sampleXY(words, patternid, sampleid, seed, offset, x, y);
+    const F z = sampleZ(words, patternid, sampleid, seed, offset);
     hn::StoreInterleaved3(x, y, z, kFloats, reinterpret_cast<float*>(xis));
 }
 
@@ -204,11 +204,11 @@ HWY_INLINE void forVectors(std::size_t n, Context* contexts, Result* results, Fu
 }
 
 template <typename Sample>
-void draw(std::size_t n, const TableData& data, SampleCtx* contexts, unsigned step, Sample* xis) {
+void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
     forVectors(n, contexts, xis, [&](const SampleCtx* sc, Sample* results) {
         V patternid, sampleid;
         load(sc, patternid, sampleid);
-        storeSamples(data, patternid, sampleid, results);
+        storeSamples(words, patternid, sampleid, results);
     });
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
 }

@@ -6,93 +6,108 @@
 #include "wellstrat/sobol.h"
 
 #include <memory>
-#include <mutex>
 
 namespace wellstrat {
 namespace {
 
-constexpr unsigned kCoordinates = 3;
-
-/// The first 12 digits of the Sobol' points, one array a coordinate.
+/// The stratum, of 4096, in which each Sobol' point lies before scrambling; points in the order in
+/// which a table has them in memory.
 struct SobolStrata {
-    uint16_t stratum[kCoordinates][kTableSize];
+    uint16_t x[kTableSize], y[kTableSize], z[kTableSize];
 
     SobolStrata() {
-        for (unsigned c = 0; c < kCoordinates; ++c) {
-            const SobolMatrix matrix = sobolMatrix(c);
-            for (unsigned i = 0; i < kTableSize; ++i) {
-                stratum[c][i] =
-                    static_cast<uint16_t>(sobolSample(matrix, i) >> (32 - kTableSizeLog2));
-            }
+        const SobolMatrix matrices[] = {sobolMatrix(0), sobolMatrix(1), sobolMatrix(2)};
+        for (unsigned i = 0; i < kTableSize; ++i) {
+            const unsigned index = (i & ~(kGroupSize - 1)) | reverseByte(i);
+            x[i] = stratum(matrices[0], index);
+            y[i] = stratum(matrices[1], index);
+            z[i] = stratum(matrices[2], index);
         }
+    }
+
+    static uint16_t stratum(const SobolMatrix& matrix, unsigned index) {
+        return static_cast<uint16_t>(sobolSample(matrix, index) >> (32 - kTableSizeLog2));
     }
 };
 
-/// Where nested uniform scrambling takes each of the 4096 strata: owenScramble of all values with
-/// 12 digits at once, grown from the root of the tree. The permutation of 2^d strata gives that of
-/// 2^(d+1): the two halves of a stratum follow it, in the order that its node's bit says.
-void owenPermutation(uint32_t seed, uint16_t* permuted) {
-    uint32_t bits[kTableSize / 32];
-    for (unsigned word = 0; word < kTableSize / 32; ++word) bits[word] = owenNodeBits(seed, word);
-    permuted[0] = 0;
-    for (unsigned count = 1; count < kTableSize; count *= 2) {
+/// Nested uniform scrambling of 12-digit numbers, the same as owenScramble. Whether a digit is
+/// flipped depends on the digits before it, so a number and its neighbor, which differ in the last
+/// digit, have the same flips.
+class StratumScrambling {
+public:
+    explicit StratumScrambling(uint32_t seed) {
+        // From the flips of d digits, for each start of d - 1 digits, to those of d + 1: one flip
+        // more, that of the node at which two longer starts part. Downwards, so that no entry is
+        // overwritten before it is used. First the nodes whose bits are all in word 0.
+        const uint32_t root = owenNodeBits(seed, 0);
+        flips_[0] = root >> 1 & 1u;
+        for (unsigned count = 2; count < 32; count *= 2) append(0, count, root >> count);
+        for (unsigned count = 32; count < kTableSize; count *= 2) {
+            for (unsigned start = count; start > 0;) {
+                start -= 32;
+                append(start, 32, owenNodeBits(seed, (count + start) / 32));
+            }
+        }
+    }
+
+    uint32_t operator()(unsigned stratum) const { return stratum ^ flips_[stratum / 2]; }
+
+private:
+    void append(unsigned start, unsigned count, uint32_t bits) {
         for (unsigned i = count; i-- > 0;) {
-            const unsigned node = count + i;
-            const unsigned bit = (bits[node / 32] >> (node % 32)) & 1u;
-            const unsigned parent = permuted[i] * 2u;
-            permuted[2 * i] = static_cast<uint16_t>(parent + bit);
-            permuted[2 * i + 1] = static_cast<uint16_t>(parent + (bit ^ 1u));
+            flips_[start + i] =
+                static_cast<uint16_t>(flips_[(start + i) / 2] * 2u + (bits >> i & 1u));
+        }
+    }
+
+    uint16_t flips_[kTableSize / 2];
+};
+
+void fillTable(unsigned table, const SobolStrata& sobol, uint32_t* words) {
+    const StratumScrambling scrambleX(tableSeed(table, Coordinate::x));
+    const StratumScrambling scrambleY(tableSeed(table, Coordinate::y));
+    const StratumScrambling scrambleZ(tableSeed(table, Coordinate::z));
+    for (unsigned first = 0; first < kTableSize; first += kGroupSize) {
+        const uint32_t offset = tableOffset(table, first);
+        for (unsigned i = 0; i < kGroupSize; ++i) {
+            words[offset + i] = scrambleX(sobol.x[first + i]) << 20 | scrambleY(sobol.y[first + i])
+                                                                          << 8;
+            words[kTablePoints + offset + i] =
+                scrambleZ(sobol.z[first + i]) << 20 | leafBitsZ(offset + i);
         }
     }
 }
 
-struct Storage {
-    std::unique_ptr<uint32_t[]> xy{new uint32_t[kTableCount * kTableSize]};
-    std::unique_ptr<uint32_t[]> z{new uint32_t[kTableCount * kTableSize]};
-    TableData data{xy.get(), z.get()};
-
-    Storage() {
-        const SobolStrata sobol;
-        uint16_t permuted[kCoordinates][kTableSize];
-        for (unsigned table = 0; table < kTableCount; ++table) {
-            for (unsigned c = 0; c < kCoordinates; ++c) {
-                owenPermutation(tableSeed(table, static_cast<Coordinate>(c)), permuted[c]);
-            }
-            for (unsigned i = 0; i < kTableSize; ++i) {
-                const uint32_t offset = tableOffset(table, i);
-                const uint32_t x = permuted[0][sobol.stratum[0][i]];
-                const uint32_t y = permuted[1][sobol.stratum[1][i]];
-                xy[offset] = (x << 20) | (y << 8);
-                const uint32_t stratum = permuted[2][sobol.stratum[2][i]];
-                z[offset] = (stratum << 20) | ((mixBits(offset) >> 12) & 0x000fff00u);
-            }
-        }
-    }
-};
+const uint32_t* makeTables() {
+    std::unique_ptr<uint32_t[]> words(new uint32_t[2 * kTablePoints]);
+    const SobolStrata sobol;
+    for (unsigned table = 0; table < kTableCount; ++table) fillTable(table, sobol, words.get());
+    return words.release();
+}
 
 } // namespace
 
 namespace detail {
-std::atomic<const TableData*> tableData{nullptr};
+std::atomic<const uint32_t*> tableWords{nullptr};
 } // namespace detail
 
-const TableData& buildTables() {
-    // Never destroyed: a thread may still draw while the program ends.
-    static const Storage* const storage = new Storage;
-    detail::tableData.store(&storage->data, std::memory_order_release);
-    return storage->data;
+const uint32_t* buildTables() {
+    // Never freed: a thread may still draw while the program ends.
+    static const uint32_t* const words = makeTables();
+    detail::tableWords.store(words, std::memory_order_release);
+    return words;
 }
 
 uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate) {
-    const TableData& data = tables();
+    const uint32_t* words = tables();
     const uint32_t offset = tableOffset(table, index);
     switch (coordinate) {
-    case Coordinate::x: return tableX(data.xy[offset], leafBits(offset));
-    case Coordinate::y: return tableY(data.xy[offset], leafBits(offset));
-    default: return data.z[offset];
+    case Coordinate::x: return tableX(words[offset], leafBits(offset));
+    case Coordinate::y: return tableY(words[offset], leafBits(offset));
+    default: return words[kTablePoints + offset];
     }
 }
 
-std::size_t tableBytes() { return std::size_t{kTableCount} * kTableSize * 2 * sizeof(uint32_t); }
+std::size_t tableBytes() { return std::size_t{2} * kTablePoints * sizeof(uint32_t); }
 
 } // namespace wellstrat
