@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The vector types of RenderMan plug-ins, as far as sampling code uses them.
+// The vector and color types of RenderMan plug-ins, as far as sampling code uses them.
 
 #pragma once
 
@@ -12,3 +12,46 @@ using RtFloat3 = wellstrat::Float3;
 using RtPoint3 = wellstrat::Float3;
 using RtVector3 = wellstrat::Float3;
 using RtNormal3 = wellstrat::Float3;
+
+/// A linear color: the weight of a lobe or a path. Not initialized by default.
+struct RtColorRGB {
+    RtFloat r, g, b;
+
+    RtColorRGB() = default;
+    constexpr explicit RtColorRGB(RtFloat gray) : r(gray), g(gray), b(gray) {}
+    constexpr RtColorRGB(RtFloat red, RtFloat green, RtFloat blue) : r(red), g(green), b(blue) {}
+
+    /// All three channels are exactly 0.
+    constexpr bool IsBlack() const { return r == 0.0f && g == 0.0f && b == 0.0f; }
+    constexpr RtFloat ChannelMin() const {
+        const RtFloat least = r < g ? r : g;
+        return least < b ? least : b;
+    }
+    constexpr RtFloat ChannelMax() const {
+        const RtFloat most = r > g ? r : g;
+        return most > b ? most : b;
+    }
+    constexpr RtFloat ChannelAvg() const { return (r + g + b) / 3.0f; }
+};
+
+constexpr RtColorRGB operator+(RtColorRGB a, RtColorRGB b) {
+    return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+constexpr RtColorRGB operator-(RtColorRGB a, RtColorRGB b) {
+    return {a.r - b.r, a.g - b.g, a.b - b.b};
+}
+constexpr RtColorRGB operator*(RtColorRGB a, RtColorRGB b) {
+    return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
+constexpr RtColorRGB operator*(RtColorRGB a, RtFloat s) { return {a.r * s, a.g * s, a.b * s}; }
+constexpr RtColorRGB operator*(RtFloat s, RtColorRGB a) { return a * s; }
+constexpr RtColorRGB operator/(RtColorRGB a, RtFloat s) { return {a.r / s, a.g / s, a.b / s}; }
+constexpr RtColorRGB& operator+=(RtColorRGB& a, RtColorRGB b) { return a = a + b; }
+constexpr RtColorRGB& operator-=(RtColorRGB& a, RtColorRGB b) { return a = a - b; }
+constexpr RtColorRGB& operator*=(RtColorRGB& a, RtColorRGB b) { return a = a * b; }
+constexpr RtColorRGB& operator*=(RtColorRGB& a, RtFloat s) { return a = a * s; }
+constexpr RtColorRGB& operator/=(RtColorRGB& a, RtFloat s) { return a = a / s; }
+constexpr bool operator==(RtColorRGB a, RtColorRGB b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+}
+constexpr bool operator!=(RtColorRGB a, RtColorRGB b) { return !(a == b); }

@@ -16,24 +16,11 @@
 #pragma once
 
 #include "wellstrat/bits.h"
-#include "wellstrat/domain.h"
+#include "wellstrat/random.h"
 #include "wellstrat/tables.h"
 #include "wellstrat/vector.h"
 
 namespace wellstrat {
-
-/// The key that gives x and y patterns of their own in `randomBits`.
-WELLSTRAT_HOST_DEVICE constexpr PermutationKey randomKey(Coordinate coordinate) {
-    return permutationKey(0x72616e64u + static_cast<uint32_t>(coordinate)); // "rand"
-}
-
-/// One independent hash for each coordinate: unstratified samples, for when the tables have run
-/// out and for comparison. `randomBits(p, s, Coordinate::z)` is `hashPair(p, s)`.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t randomBits(uint32_t patternid, uint32_t sampleid,
-                                                    Coordinate coordinate) {
-    if (coordinate != Coordinate::z) patternid = permuteBits(patternid, randomKey(coordinate));
-    return hashPair(patternid, sampleid);
-}
 
 /// What a lookup needs of a pattern: a well-mixed word. All else is this word times a constant.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t patternSeed(uint32_t patternid) {
@@ -91,38 +78,44 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t digitalShift(uint32_t seed, Coordinate 
     }
 }
 
-/// Sample `sampleid` of pattern `patternid` from the tables at `words`: z of the point in [0, 1),
-/// so that a 1D and a 2D draw from one context make one 3D point.
-WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patternid,
-                                            uint32_t sampleid) {
-    if (sampleid >= kStratifiedSamples) {
-        return toUnitFloat(randomBits(patternid, sampleid, Coordinate::z));
-    }
-    const uint32_t seed = patternSeed(patternid);
-    const uint32_t offset = sampleOffset(seed, sampleid);
-    return toUnitFloat(words[kTablePoints + offset] ^ digitalShift(seed, Coordinate::z));
-}
-
-/// The same for (x, y) of the point.
-WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t patternid,
-                                             uint32_t sampleid) {
-    if (sampleid >= kStratifiedSamples) {
-        return {toUnitFloat(randomBits(patternid, sampleid, Coordinate::x)),
-                toUnitFloat(randomBits(patternid, sampleid, Coordinate::y))};
-    }
-    const uint32_t seed = patternSeed(patternid);
-    const uint32_t offset = sampleOffset(seed, sampleid);
+/// (x, y) and z of the point at `offset` as a pattern sees it.
+WELLSTRAT_HOST_DEVICE inline Float2 tableSampleXY(const uint32_t* words, uint32_t seed,
+                                                  uint32_t offset) {
     const uint32_t word = words[offset];
     const uint32_t leaf = leafBits(offset);
     return {toUnitFloat(tableX(word, leaf) ^ digitalShift(seed, Coordinate::x)),
             toUnitFloat(tableY(word, leaf) ^ digitalShift(seed, Coordinate::y))};
 }
+WELLSTRAT_HOST_DEVICE inline float tableSampleZ(const uint32_t* words, uint32_t seed,
+                                                uint32_t offset) {
+    return toUnitFloat(words[kTablePoints + offset] ^ digitalShift(seed, Coordinate::z));
+}
 
-/// The same for the whole point: (x, y) of `sample2D` and z of `sample1D`.
+/// Sample `sampleid` of pattern `patternid` from the tables at `words`: z of the point in [0, 1),
+/// so that a 1D and a 2D draw from one context make one 3D point.
+WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patternid,
+                                            uint32_t sampleid) {
+    if (sampleid >= kStratifiedSamples) return randomSample1D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleZ(words, seed, sampleOffset(seed, sampleid));
+}
+
+/// The same for (x, y) of the point.
+WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t patternid,
+                                             uint32_t sampleid) {
+    if (sampleid >= kStratifiedSamples) return randomSample2D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleXY(words, seed, sampleOffset(seed, sampleid));
+}
+
+/// The same for the whole point.
 WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
-    const Float2 xy = sample2D(words, patternid, sampleid);
-    return {xy.x, xy.y, sample1D(words, patternid, sampleid)};
+    if (sampleid >= kStratifiedSamples) return randomSample3D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    const uint32_t offset = sampleOffset(seed, sampleid);
+    const Float2 xy = tableSampleXY(words, seed, offset);
+    return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
 }
 
 /// The same from the tables of the process, which the first call builds. Safe in any thread.

@@ -17,3 +17,10 @@
 #else
 #define WELLSTRAT_API __attribute__((visibility("default")))
 #endif
+
+/// On functions of the rare case, to keep their code out of their callers'.
+#if defined(__GNUC__) && !defined(__CUDACC__)
+#define WELLSTRAT_COLD __attribute__((noinline, cold))
+#else
+#define WELLSTRAT_COLD
+#endif

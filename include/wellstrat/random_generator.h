@@ -5,7 +5,7 @@
 #pragma once
 
 #include "wellstrat/generator.h"
-#include "wellstrat/lookup.h"
+#include "wellstrat/random.h"
 
 namespace wellstrat {
 
@@ -14,18 +14,13 @@ namespace wellstrat {
 class RandomGenerator final : public Generator {
 public:
     float Sample1D(const SampleCtx& sc, unsigned /*i*/) const override {
-        return sample(sc, Coordinate::z);
+        return randomSample1D(sc.patternid, sc.sampleid);
     }
     Float2 Sample2D(const SampleCtx& sc, unsigned /*i*/) const override {
-        return {sample(sc, Coordinate::x), sample(sc, Coordinate::y)};
+        return randomSample2D(sc.patternid, sc.sampleid);
     }
     Float3 Sample3D(const SampleCtx& sc, unsigned /*i*/) const override {
-        return {sample(sc, Coordinate::x), sample(sc, Coordinate::y), sample(sc, Coordinate::z)};
-    }
-
-private:
-    static float sample(const SampleCtx& sc, Coordinate coordinate) {
-        return toUnitFloat(randomBits(sc.patternid, sc.sampleid, coordinate));
+        return randomSample3D(sc.patternid, sc.sampleid);
     }
 };
 

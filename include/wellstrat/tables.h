@@ -6,14 +6,15 @@
 // What is stored and what is not. The first 12 binary digits of a coordinate decide everything
 // about the stratification of 4096 points. The scrambling of the digits after them is one
 // independent random bit for each point, since no two points share 12 digits of a coordinate; such
-// bits need no memory. So 12 digits come from the scrambled sequence, and 12 more, to the 24 of a
-// float, are a hash of the point's place, taken when the point is read for x and y, and when the
-// table is built for z:
+// bits need no memory. So 12 digits come from the scrambled sequence, and the digits after them, to
+// the 24 of a float, are a hash of the point's place, taken when the point is read for x and y, and
+// when the table is built for z:
 //
 //     bit      31 ......... 20 19 .......... 8 7 .. 0
-//     value    digits 1 to 12  digits 13 to 24  zero     any coordinate
 //     xy word  x, 12 digits    y, 12 digits     zero     one load gives a 2D point
-//     z word   the value
+//     x        x, 12 digits    y's digits ^ hash         word ^ (leaf >> 12)
+//     y        y, 12 digits    hash                      (word << 12) ^ (leaf & 0xfffff)
+//     z word   z, 12 digits    hash             zero     the value itself
 //
 // Order in memory: the same 256 samples of all tables lie side by side, since a renderer draws
 // about the same sampleid from all tables at a time; within such a group the sample with the
@@ -24,6 +25,7 @@
 #pragma once
 
 #include "wellstrat/bits.h"
+#include "wellstrat/coordinate.h"
 #include "wellstrat/hash.h"
 
 #include <atomic>
@@ -41,9 +43,6 @@ constexpr unsigned kGroupSize = 256;
 /// one; samples beyond are unstratified.
 constexpr unsigned kStratifiedSamples = 48 * kTableSize;
 
-/// The axes of a table point.
-enum class Coordinate : unsigned { x = 0, y = 1, z = 2 };
-
 /// The points of all tables. In memory: their xy words, then their z words.
 constexpr uint32_t kTablePoints = kTableCount * kTableSize;
 
@@ -53,9 +52,9 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOffset(uint32_t table, uint32_t in
     return ((index / kGroupSize) * kTableCount + table) * kGroupSize + reverseByte(index);
 }
 
-/// Digits 13 to 24 of x, in bits 31..20, and of y, in bits 19..8, of the point at `offset`. The
-/// multipliers, here and in lookup.h, are fractional parts of square roots of primes, made odd:
-/// numbers that nobody has chosen.
+/// Random bits for the digits after the 12th of x, from bits 31..20, and y, from bits 19..8, of the
+/// point at `offset`. The multipliers, here and in lookup.h, are fractional parts of square roots
+/// of primes, made odd: numbers that nobody has chosen.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBits(uint32_t offset) {
     uint32_t bits = offset * 0x510e527fu; // sqrt(11)
     bits ^= bits >> 15;
@@ -67,12 +66,13 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBitsZ(uint32_t offset) {
     return (leafBits(offset) * 0x1f83d9abu >> 12) & 0x000fff00u; // sqrt(17)
 }
 
-/// The values of x and y as fractions of 2^32, from the xy word of a point and its leaf bits.
+/// The values of x and y as fractions of 2^32, from the xy word of a point and its leaf bits. Bits
+/// below the 24th digit mean nothing.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableX(uint32_t xyWord, uint32_t leaf) {
-    return (xyWord & 0xfff00000u) | ((leaf >> 12) & 0x000fff00u);
+    return xyWord ^ (leaf >> 12);
 }
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableY(uint32_t xyWord, uint32_t leaf) {
-    return (xyWord << 12) | (leaf & 0x000fff00u);
+    return (xyWord << 12) ^ (leaf & 0x000fffffu);
 }
 
 namespace detail {

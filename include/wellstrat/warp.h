@@ -19,7 +19,7 @@
 // - Samples are in [0, 1)^2, with steps of 2^-24 or coarser, as the library makes them. No such
 //   sample gives a NaN or an infinity.
 // - Shapes have radius 1 and stand around the z axis. Directions have length 1 to float precision.
-// - Round maps take the distance from the axis from x, where 0 is on the axis, and the azimuth from
+// - Round maps take the distance from the axis (cylinder: the height) from x, and the azimuth from
 //   y, as the fraction of a full turn from the x axis towards the y axis. The concentric disk, and
 //   the cosine-weighted hemisphere above it, have no such seam.
 // - Each map is a bijection of the square up to its seams, so strata of samples become strata of

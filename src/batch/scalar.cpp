@@ -2,6 +2,7 @@
 
 #include "kernels.h"
 
+#include "wellstrat/domain.h"
 #include "wellstrat/lookup.h"
 
 namespace wellstrat {

@@ -141,10 +141,8 @@ HWY_INLINE void sampleXY(const uint32_t* words, V patternid, V sampleid, V seed,
                          F& y) {
     const V word = gather(words, offset);
     const V leaf = leafBits(offset);
-    const V digits13To24 = constant(0x000fff00u);
-    const V tableX = hn::Or(hn::And(word, constant(0xfff00000u)),
-                            hn::And(hn::ShiftRight<12>(leaf), digits13To24));
-    const V tableY = hn::Or(hn::ShiftLeft<12>(word), hn::And(leaf, digits13To24));
+    const V tableX = hn::Xor(word, hn::ShiftRight<12>(leaf));
+    const V tableY = hn::Xor(hn::ShiftLeft<12>(word), hn::And(leaf, constant(0x000fffffu)));
     x = toUnitFloat(
         orRandom(shifted(tableX, seed, Coordinate::x), patternid, sampleid, Coordinate::x));
     y = toUnitFloat(

@@ -101,9 +101,10 @@ const uint32_t* buildTables() {
 uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate) {
     const uint32_t* words = tables();
     const uint32_t offset = tableOffset(table, index);
+    constexpr uint32_t digits1To24 = 0xffffff00u;
     switch (coordinate) {
-    case Coordinate::x: return tableX(words[offset], leafBits(offset));
-    case Coordinate::y: return tableY(words[offset], leafBits(offset));
+    case Coordinate::x: return tableX(words[offset], leafBits(offset)) & digits1To24;
+    case Coordinate::y: return tableY(words[offset], leafBits(offset)) & digits1To24;
     default: return words[kTablePoints + offset];
     }
 }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The axes of a three-dimensional sample.
+
+#pragma once
+
+namespace wellstrat {
+
+/// A 2D draw gives (x, y), a 1D draw z.
+enum class Coordinate : unsigned { x = 0, y = 1, z = 2 };
+
+} // namespace wellstrat
