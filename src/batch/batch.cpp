@@ -2,7 +2,7 @@
 
 #include "wellstrat/batch.h"
 
-#include "kernels.h"
+#include "batch/kernels.h"
 #include "wellstrat/batch_target.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "kernels.h"
+#include "batch/kernels.h"
 
 #include "wellstrat/domain.h"
 #include "wellstrat/lookup.h"

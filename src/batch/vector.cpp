@@ -5,14 +5,14 @@
 //
 // Each function here has the name of the scalar function whose bits it computes.
 
-#include "kernels.h"
+#include "batch/kernels.h"
 
 #include "wellstrat/lookup.h"
 
 // Without registers of a fixed size, and on processors without a gain.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "vector.cpp"
+#define HWY_TARGET_INCLUDE "batch/vector.cpp"
 #include "hwy/foreach_target.h"
 
 #include "hwy/highway.h"

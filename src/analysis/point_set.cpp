@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "wellstrat/analysis/point_set.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace wellstrat {
+namespace {
+
+unsigned log2Floor(std::size_t n) {
+    unsigned log2 = 0;
+    while (n >>= 1) ++log2;
+    return log2;
+}
+
+unsigned log2OfCount(std::size_t count) {
+    if (count == 0 || (count & (count - 1)) != 0 || count > (std::size_t{1} << 31)) {
+        throw NetError("the number of points is " + std::to_string(count) +
+                       "; accepted are powers of two from 1 to 2^31");
+    }
+    return log2Floor(count);
+}
+
+template <class Real>
+uint32_t fractionOf(Real value, std::size_t point, unsigned dim) {
+    if (!(value >= 0 && value < 1)) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
+        throw NetError("coordinate " + std::to_string(dim) + " of point " + std::to_string(point) +
+                       " is " + text + "; accepted are values in [0, 1)");
+    }
+    // Scaling by a power of two is exact, the conversion rounds down.
+    return static_cast<uint32_t>(value * static_cast<Real>(0x1p32));
+}
+
+uint32_t fractionOf(uint32_t value, std::size_t, unsigned) { return value; }
+
+} // namespace
+
+PointSet::PointSet(std::size_t count, unsigned dims) : countLog2_(log2OfCount(count)) {
+    if (dims == 0 || dims > kMaxDimensions) {
+        throw NetError("the number of dimensions is " + std::to_string(dims) +
+                       "; accepted are 1 to " + std::to_string(kMaxDimensions));
+    }
+    coordinates_.resize(dims, std::vector<uint32_t>(count));
+}
+
+template <class Value>
+PointSet PointSet::fromValues(const Value* values, std::size_t count, unsigned dims) {
+    PointSet set(count, dims);
+    for (std::size_t i = 0; i < count; ++i) {
+        for (unsigned d = 0; d < dims; ++d) {
+            set.coordinates_[d][i] = fractionOf(values[i * dims + d], i, d);
+        }
+    }
+    return set;
+}
+
+PointSet PointSet::fromIntegers(const uint32_t* values, std::size_t count, unsigned dims) {
+    return fromValues(values, count, dims);
+}
+
+PointSet PointSet::fromFloats(const float* values, std::size_t count, unsigned dims) {
+    return fromValues(values, count, dims);
+}
+
+PointSet PointSet::fromFloats(const double* values, std::size_t count, unsigned dims) {
+    return fromValues(values, count, dims);
+}
+
+PointSet PointSet::projection(const std::vector<unsigned>& dims) const {
+    PointSet set(count(), static_cast<unsigned>(dims.size()));
+    for (std::size_t d = 0; d < dims.size(); ++d) {
+        if (dims[d] >= this->dims()) {
+            throw NetError("coordinate " + std::to_string(dims[d]) +
+                           " does not exist; the points have " + std::to_string(this->dims()));
+        }
+        set.coordinates_[d] = coordinates_[dims[d]];
+    }
+    return set;
+}
+
+PointSet PointSet::block(std::size_t first, std::size_t count) const {
+    PointSet set(count, dims());
+    if (count > this->count() || first > this->count() - count) {
+        throw NetError("points " + std::to_string(first) + " to " +
+                       std::to_string(first + count - 1) + " are asked for; the set has " +
+                       std::to_string(this->count()));
+    }
+    for (unsigned d = 0; d < dims(); ++d) {
+        std::copy_n(coordinate(d) + first, count, set.coordinates_[d].begin());
+    }
+    return set;
+}
+
+} // namespace wellstrat
