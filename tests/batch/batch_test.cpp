@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every batch target that this processor has gives the bits of the scalar functions, for every
+// length and so every remainder, any alignment, in place, and for contexts of all kinds in one
+// batch.
+
+#include "RixRNG.h"
+#include "wellstrat/batch_target.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace wellstrat {
+namespace {
+
+constexpr auto kScramble = static_cast<Scramble>(0x2d96c92bu);
+
+/// Longer than four of the longest vectors.
+constexpr std::size_t kLongest = 70;
+
+template <typename T>
+bool sameBits(const T& a, const T& b) {
+    return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+std::vector<std::string> targets() {
+    std::vector<std::string> names;
+    for (unsigned i = 0; batchTarget(i) != nullptr; ++i) names.emplace_back(batchTarget(i));
+    return names;
+}
+
+/// What contexts of a batch look like.
+enum class Kind { coherent, mixedBlocks, someBeyond, allBeyond, anything };
+
+SampleCtx makeContext(Kind kind, unsigned i) {
+    const unsigned pattern = HashToUnsigned(11, i);
+    const unsigned random = HashToUnsigned(12, i);
+    switch (kind) {
+    case Kind::coherent: return {pattern, 37};
+    case Kind::mixedBlocks: return {pattern, random % kStratifiedSamples};
+    case Kind::someBeyond: return {pattern, random % (2 * kStratifiedSamples)};
+    case Kind::allBeyond: return {pattern, kStratifiedSamples + random % 1000};
+    default: return {pattern, random};
+    }
+}
+
+class BatchTarget : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override { ASSERT_TRUE(forceBatchTarget(GetParam().c_str())); }
+    void TearDown() override { forceBatchTarget(batchTarget(0)); }
+
+    /// Calls check(contexts) for batches of every length and kind; a guard context follows the
+    /// last, and the first is at any offset to the alignment of vectors.
+    template <typename Check>
+    void forBatches(Check check) {
+        for (const Kind kind : {Kind::coherent, Kind::mixedBlocks, Kind::someBeyond,
+                                Kind::allBeyond, Kind::anything}) {
+            for (std::size_t n = 0; n <= kLongest; ++n) {
+                std::vector<SampleCtx> contexts(n);
+                for (std::size_t i = 0; i < n; ++i) {
+                    contexts[i] = makeContext(kind, static_cast<unsigned>(n * 100 + i));
+                }
+                check(contexts);
+            }
+        }
+    }
+
+    /// The results of a batch function: n of them, and a guard that must stay.
+    template <typename T, typename Fill>
+    static std::vector<T> guarded(std::size_t n, Fill fill) {
+        std::vector<T> results(n + 1);
+        std::memset(static_cast<void*>(&results[n]), 0x5a, sizeof(T));
+        const T guard = results[n];
+        fill(results.data());
+        EXPECT_TRUE(sameBits(results[n], guard)) << "wrote beyond the end of " << n;
+        results.pop_back();
+        return results;
+    }
+
+    template <typename Sample, typename Draw, typename Generate, typename Scalar>
+    void checkDraws(Draw draw, Generate generate, Scalar scalar) {
+        forBatches([&](const std::vector<SampleCtx>& contexts) {
+            const std::size_t n = contexts.size();
+            const auto drawn =
+                guarded<Sample>(n, [&](Sample* xis) { draw(n, contexts.data(), xis); });
+            std::vector<SampleCtx> stepped = contexts;
+            const auto generated =
+                guarded<Sample>(n, [&](Sample* xis) { generate(n, stepped.data(), xis); });
+            for (std::size_t i = 0; i < n; ++i) {
+                const SampleCtx sc = contexts[i];
+                const Sample expected = scalar(sc.patternid, sc.sampleid);
+                ASSERT_TRUE(sameBits(drawn[i], expected)) << i << " of " << n;
+                ASSERT_TRUE(sameBits(generated[i], expected)) << i << " of " << n;
+                ASSERT_TRUE(sameBits(stepped[i], SampleCtx{sc.patternid, sc.sampleid + 1}));
+            }
+        });
+    }
+
+    template <typename Batch, typename Scalar>
+    void checkDomains(Batch batch, Scalar scalar) {
+        forBatches([&](const std::vector<SampleCtx>& parents) {
+            const std::size_t n = parents.size();
+            const auto children = guarded<SampleCtx>(
+                n, [&](SampleCtx* results) { batch(n, parents.data(), results); });
+            std::vector<SampleCtx> inPlace = parents;
+            batch(n, inPlace.data(), inPlace.data());
+            for (std::size_t i = 0; i < n; ++i) {
+                ASSERT_TRUE(sameBits(children[i], scalar(parents[i]))) << i << " of " << n;
+                ASSERT_TRUE(sameBits(inPlace[i], children[i])) << i << " of " << n;
+            }
+        });
+    }
+};
+
+TEST_P(BatchTarget, Draws1D) {
+    checkDraws<float>(drawSamples1D, generateSamples1D,
+                      [](unsigned p, unsigned s) { return sample1D(p, s); });
+}
+
+TEST_P(BatchTarget, Draws2D) {
+    checkDraws<Float2>(drawSamples2D, generateSamples2D,
+                       [](unsigned p, unsigned s) { return sample2D(p, s); });
+}
+
+TEST_P(BatchTarget, Draws3D) {
+    checkDraws<Float3>(drawSamples3D, generateSamples3D,
+                       [](unsigned p, unsigned s) { return sample3D(p, s); });
+}
+
+TEST_P(BatchTarget, NewDomains) {
+    checkDomains([](std::size_t n, const SampleCtx* parents,
+                    SampleCtx* children) { newDomains(n, parents, kScramble, children); },
+                 [](SampleCtx sc) { return sc.NewDomain(kScramble); });
+}
+
+TEST_P(BatchTarget, NewDomainsSplit) {
+    for (const unsigned count : {0u, 1u, 4u, 0x10001u}) {
+        checkDomains(
+            [=](std::size_t n, const SampleCtx* parents, SampleCtx* children) {
+                newDomainsSplit(n, parents, kScramble, count, children);
+            },
+            [=](SampleCtx sc) { return sc.NewDomainSplit(kScramble, count); });
+    }
+}
+
+TEST_P(BatchTarget, NewDomainsDistrib) {
+    for (const unsigned first : {0u, 123u}) {
+        checkDomains(
+            [=](std::size_t n, const SampleCtx* parents, SampleCtx* children) {
+                newDomainsDistrib(n, parents, kScramble, first, children);
+            },
+            [=](SampleCtx sc) { return sc.NewDomainDistrib(kScramble, first); });
+    }
+}
+
+TEST_P(BatchTarget, HashToRandom) {
+    forBatches([&](const std::vector<SampleCtx>& contexts) {
+        const std::size_t n = contexts.size();
+        const auto xis =
+            guarded<float>(n, [&](float* results) { hashToRandom(n, contexts.data(), results); });
+        for (std::size_t i = 0; i < n; ++i) {
+            ASSERT_EQ(xis[i], HashToRandom(contexts[i].patternid, contexts[i].sampleid));
+        }
+    });
+}
+
+/// A misaligned start: results and contexts one element into their arrays.
+TEST_P(BatchTarget, AnyAlignment) {
+    std::vector<SampleCtx> contexts(kLongest + 1);
+    for (unsigned i = 0; i <= kLongest; ++i) contexts[i] = makeContext(Kind::someBeyond, i);
+    std::vector<Float3> xis(kLongest + 1);
+    drawSamples3D(kLongest, contexts.data() + 1, xis.data() + 1);
+    for (std::size_t i = 1; i <= kLongest; ++i) {
+        ASSERT_TRUE(sameBits(xis[i], sample3D(contexts[i].patternid, contexts[i].sampleid)));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, BatchTarget, testing::ValuesIn(targets()),
+                         [](const auto& target) { return target.param; });
+
+TEST(BatchTargets, TheLastIsScalarAndUnknownOnesAreRefused) {
+    const std::vector<std::string> names = targets();
+    ASSERT_FALSE(names.empty());
+    EXPECT_EQ(names.back(), "scalar");
+    const std::string before = chosenBatchTarget();
+    EXPECT_FALSE(forceBatchTarget("no such target"));
+    EXPECT_EQ(chosenBatchTarget(), before);
+}
+
+TEST(Batch, NothingIsReadOrWrittenForZeroPoints) {
+    drawSamples1D(0, nullptr, nullptr);
+    generateSamples3D(0, nullptr, nullptr);
+    newDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
+    hashToRandom(0, nullptr, nullptr);
+    EXPECT_STREQ(chosenBatchTarget(), batchTarget(0));
+}
+
+} // namespace
+} // namespace wellstrat
