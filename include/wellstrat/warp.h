@@ -20,8 +20,8 @@
 //   sample gives a NaN or an infinity.
 // - Shapes have radius 1 and stand around the z axis. Directions have length 1 to float precision.
 // - Round maps take the distance from the axis (cylinder: the height) from x, and the azimuth from
-//   y, as the fraction of a full turn from the x axis towards the y axis. The concentric disk, and
-//   the cosine-weighted hemisphere above it, have no such seam.
+//   y, as the fraction of a full turn from the x axis towards the y axis. The concentric disk has
+//   no such seam, nor have the cosine-weighted hemisphere and the GGX normals, which build on it.
 // - Each map is a bijection of the square up to its seams, so strata of samples become strata of
 //   equal probability. The first seven have a constant density: strata keep their relative area.
 // - Inverses return values in [0, 1)^2, exact up to rounding.

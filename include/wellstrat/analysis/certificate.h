@@ -37,13 +37,13 @@ WELLSTRAT_API std::vector<CertificateLine> certifyTables(unsigned first, unsigne
                                                          const CertificateProgress& progress = {});
 
 /// Checks what users draw for `count` pseudo-random patterns (the same ones for the same `seed`)
-/// and for a few special ones; 0 leaves only these. 1000 patterns take 10 to 20 seconds.
+/// and for a few special ones; 0 leaves only these. 1000 patterns take some 10 seconds.
 ///
-/// For each pattern: the promises that certifyTables checks, for samples 0 to 4095, for the second
-/// and the last block of 4096, and for a pseudo-random one between; that draws in one, two and
-/// three dimensions, single and in batches, agree bit for bit, in any order; that values are
-/// multiples of 2^-24 in [0, 1); that the 48 blocks use 48 different tables; and that samples from
-/// kStratifiedSamples to 2^32 - 1 are hashes, one for each coordinate.
+/// For each pattern: the promises that certifyTables checks, for samples 0 to 4095, for the last
+/// block of 4096, and for one between (the second of special patterns, else a pseudo-random one);
+/// that draws in one, two and three dimensions, single and in batches, agree bit for bit, in any
+/// order; that values are multiples of 2^-24 in [0, 1); that the 48 blocks use 48 different tables;
+/// and that samples from kStratifiedSamples to 2^32 - 1 are hashes, one for each coordinate.
 WELLSTRAT_API std::vector<CertificateLine>
 certifyPatterns(unsigned count, uint32_t seed = 1, const CertificateProgress& progress = {});
 

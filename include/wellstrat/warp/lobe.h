@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include "wellstrat/warp/cap.h"
 #include "wellstrat/warp/disk.h"
 
 namespace wellstrat {
@@ -57,35 +56,59 @@ WELLSTRAT_HOST_DEVICE inline float powerCosinePdf(float cosTheta, float exponent
 
 namespace detail {
 
-/// A vector with z > 0, scaled to length 1.
 WELLSTRAT_HOST_DEVICE inline Float3 normalized(Float3 v) { return v / v.Length(); }
+
+/// Half of a chord of the unit disk, at a distance of |x| from the center.
+WELLSTRAT_HOST_DEVICE inline float halfChord(float x) {
+    return std::sqrt(std::fmax(0.0f, (1.0f - x) * (1.0f + x)));
+}
+
+/// The space where the GGX microsurface is the unit hemisphere, seen from `view`. The visible part
+/// of the hemisphere, projected along `view`, is a half disk, where axisY > 0, and a half ellipse.
+struct VisibleHemisphere {
+    Float3 view, axisX, axisY; ///< an orthonormal frame
+    float share;               ///< the visible area of the disk, in (1/2, 1]
+
+    WELLSTRAT_HOST_DEVICE VisibleHemisphere(Float3 viewDirection, float alphaX, float alphaY)
+        : view(normalized({alphaX * viewDirection.x, alphaY * viewDirection.y, viewDirection.z})) {
+        axisX = Float3(-view.y, view.x, 0.0f);
+        // Below this bound any axis will do, and the length is no longer precise.
+        if (axisX.LengthSq() < 1e-20f) axisX = Float3(1.0f, 0.0f, 0.0f);
+        axisX.Normalize();
+        axisY = Cross(view, axisX);
+        share = 0.5f + 0.5f * view.z;
+    }
+};
 
 } // namespace detail
 
 /// A microfacet normal m with z > 0, distributed as the GGX normals of roughness (alphaX, alphaY)
 /// that `view` sees. The roughness is that of the distribution, above 0, and not its square root;
-/// `view` has length 1, points away from the surface, and has z > 0. Normals may face away from it
-/// by rounding only. Reflecting `view` at m gives a direction of density
-/// ggxVisibleNormalPdf / (4 Dot(view, m)), which may lie below the surface.
+/// `view` has length 1, points away from the surface, and has z > 0. Reflecting `view` at m gives
+/// a direction of density ggxVisibleNormalPdf / (4 Dot(view, m)), which may lie below the surface.
 ///
-/// In the space where the microsurface is a hemisphere, the reflected directions are uniform on a
-/// cap of the sphere: Dupuy and Benyoub 2023, "Sampling Visible GGX Normals with Spherical Caps",
-/// section 3. The older map through a disk (Heitz 2018, JCGT 7(4)) takes more operations.
+/// Heitz 2018, "Sampling the GGX Distribution of Visible Normals", JCGT 7(4), but over the
+/// concentric disk, so that there is no seam. The map of Dupuy and Benyoub 2023 through spherical
+/// caps takes fewer operations, but it pinches all normals at right angles to `view` into one
+/// point of the square: strata there are torn apart, and in float some of the normals face away.
 WELLSTRAT_HOST_DEVICE inline Float3 squareToGgxVisibleNormal(Float2 xi, Float3 view, float alphaX,
                                                              float alphaY) {
-    const Float3 v = detail::normalized({alphaX * view.x, alphaY * view.y, view.z});
-    const Float3 reflected = squareToCone(xi, -v.z);
-    // reflected.z + v.z, without cancellation: above 0 for all samples.
-    const float z = (1.0f - xi.x) * (1.0f + v.z);
-    return detail::normalized({alphaX * (reflected.x + v.x), alphaY * (reflected.y + v.y), z});
+    const detail::VisibleHemisphere visible(view, alphaX, alphaY);
+    const Float2 disk = squareToDiskConcentric(xi);
+    const float y = (1.0f - visible.share) * detail::halfChord(disk.x) + visible.share * disk.y;
+    const float z = std::sqrt(std::fmax(0.0f, 1.0f - disk.x * disk.x - y * y));
+    const Float3 h = visible.axisX * disk.x + visible.axisY * y + visible.view * z;
+    return detail::normalized({alphaX * h.x, alphaY * h.y, std::fmax(h.z, 0x1p-24f)});
 }
 
-/// Dot(view, m) > 0.
+/// m.z > 0 and Dot(view, m) > 0.
 WELLSTRAT_HOST_DEVICE inline Float2 ggxVisibleNormalToSquare(Float3 m, Float3 view, float alphaX,
                                                              float alphaY) {
-    const Float3 v = detail::normalized({alphaX * view.x, alphaY * view.y, view.z});
+    const detail::VisibleHemisphere visible(view, alphaX, alphaY);
     const Float3 h = detail::normalized({m.x / alphaX, m.y / alphaY, m.z});
-    return coneToSquare(h * (2.0f * Dot(h, v)) - v, -v.z);
+    const float x = Dot(h, visible.axisX);
+    const float y = Dot(h, visible.axisY) - (1.0f - visible.share) * detail::halfChord(x);
+    return diskToSquareConcentric({x, y / visible.share});
 }
 
 /// The density of m: D(m) G1(view) Dot(view, m) / view.z, with the masking G1 of Smith. Heitz 2014,

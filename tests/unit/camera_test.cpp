@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Camera contexts: no two pixels of a frame alike, along any path of domains; nothing slides or
+// repeats.
+
+#include "wellstrat/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+using namespace wellstrat;
+
+constexpr int kSide = 4096; // 2^24 pixels
+
+template <typename Pattern>
+std::vector<uint32_t> patternsOfFrame(int first, Pattern pattern) {
+    std::vector<uint32_t> patterns;
+    patterns.reserve(std::size_t{kSide} * kSide);
+    for (int y = first; y < first + kSide; ++y) {
+        for (int x = first; x < first + kSide; ++x) patterns.push_back(pattern(x, y));
+    }
+    return patterns;
+}
+
+/// Marks the words in a bitmap, an eighth of all words at a time to save memory.
+bool allDistinct(const std::vector<uint32_t>& words) {
+    constexpr unsigned kSliceBits = 29;
+    std::vector<bool> seen;
+    for (uint32_t slice = 0; slice < 8; ++slice) {
+        seen.assign(std::size_t{1} << kSliceBits, false);
+        for (const uint32_t word : words) {
+            if (word >> kSliceBits != slice) continue;
+            auto bit = seen[word & ((1u << kSliceBits) - 1)];
+            if (bit) return false;
+            bit = true;
+        }
+    }
+    return true;
+}
+
+TEST(Camera, TheTestSeesOneRepeatInAFrame) {
+    std::vector<uint32_t> patterns =
+        patternsOfFrame(0, [](int x, int y) { return cameraContext(x, y, 0, 0).patternid; });
+    patterns[12345678] = patterns[3];
+    EXPECT_FALSE(allDistinct(patterns));
+}
+
+TEST(Camera, PixelsOfAFrameDifferWithNegativeCoordinatesToo) {
+    EXPECT_TRUE(allDistinct(patternsOfFrame(
+        -kSide / 2, [](int x, int y) { return cameraContext(x, y, 17, 0).patternid; })));
+}
+
+// A hash that is no bijection of the pattern would make about 32000 pairs of pixels meet at every
+// step of the path, and each pair would stay together from there on.
+TEST(Camera, AChildsPatternNeverEqualsAnotherPixelsAlongTheSamePath) {
+    EXPECT_TRUE(allDistinct(patternsOfFrame(0, [](int x, int y) {
+        SampleCtx sc = cameraContext(x, y, 1, 5);
+        sc = sc.NewDomain(kLensScramble);
+        sc = sc.NewDomainSplit(static_cast<Scramble>(0x2d96c92bu), 4);
+        sc = sc.NewDomainDistrib(static_cast<Scramble>(0x3917fe2eu), 0);
+        sc = sc.NewDomain(static_cast<Scramble>(0));
+        return sc.NewDomain(static_cast<Scramble>(0xffffffffu)).patternid;
+    })));
+}
+
+// Patterns that slide by a pixel a frame show as noise that swims over the image.
+TEST(Camera, FramesDoNotSlide) {
+    for (int f = 1; f <= 32; ++f) {
+        for (int y = 0; y < 128; ++y) {
+            for (int x = 0; x < 128; ++x) {
+                const unsigned pattern = cameraContext(x, y, static_cast<unsigned>(f), 0).patternid;
+                for (int dy : {-f, 0, f}) {
+                    for (int dx : {-f, 0, f}) {
+                        ASSERT_NE(pattern, cameraContext(x + dx, y + dy, 0, 0).patternid)
+                            << "pixel " << x << ", " << y << ", frame " << f;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Camera, CoordinatesCountModulo65536) {
+    for (int x : {-65536, -1, 0, 1, 40000}) {
+        EXPECT_EQ(cameraContext(x, 3, 2, 0).patternid, cameraContext(x + 65536, 3, 2, 0).patternid);
+        EXPECT_EQ(cameraContext(3, x, 2, 0).patternid, cameraContext(3, x + 65536, 2, 0).patternid);
+    }
+    EXPECT_NE(cameraContext(0, 1, 0, 0).patternid, cameraContext(65536 / 2, 0, 0, 0).patternid);
+    EXPECT_NE(cameraContext(1, 0, 0, 0).patternid, cameraContext(0, 1, 0, 0).patternid);
+}
+
+TEST(Camera, SamplesOfAPixelShareItsPatternAndCountUp) {
+    for (unsigned sampleid : {0u, 1u, 4096u, 0xffffffffu}) {
+        const SampleCtx sc = cameraContext(7, 8, 9, sampleid);
+        EXPECT_EQ(sc.patternid, cameraContext(7, 8, 9, 0).patternid);
+        EXPECT_EQ(sc.sampleid, sampleid);
+    }
+}
+
+// Guards against a frame key that is also some domain's: the pixels of one frame would then be a
+// domain of another's.
+TEST(Camera, TheReadyMadeDomainsOfAPixelAllDiffer) {
+    static_assert(kPixelFilterScramble != kLensScramble, "");
+    static_assert(kLensScramble != kTimeScramble, "");
+    static_assert(kTimeScramble != kPixelFilterScramble, "");
+    for (unsigned frame = 0; frame < 1000; ++frame) {
+        const SampleCtx sc = cameraContext(100, 200, frame, 0);
+        const unsigned filter = sc.NewDomain(kPixelFilterScramble).patternid;
+        const unsigned lens = sc.NewDomain(kLensScramble).patternid;
+        const unsigned time = sc.NewDomain(kTimeScramble).patternid;
+        ASSERT_TRUE(filter != lens && lens != time && time != filter && sc.patternid != lens);
+        ASSERT_NE(sc.NewDomain(static_cast<Scramble>(frame)).patternid,
+                  cameraContext(100, 200, frame + 1, 0).patternid);
+    }
+}
+
+} // namespace

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Generators: who is asked for a sample, with which arguments, and what children inherit.
+
+#include "RixRNG.h"
+#include "wellstrat/random_generator.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+using SampleCtx = RixRNG::SampleCtx;
+using Scramble = RixRNG::Scramble;
+
+constexpr Scramble kScramble = static_cast<Scramble>(0x2d96c92bu);
+
+/// Samples that tell what they were asked with, and a record of what ForChild was.
+class TellTale : public RixRNG::Generator {
+public:
+    struct Call {
+        Scramble scramble;
+        unsigned split;
+    };
+    const RixRNG::Generator* child = this;
+    mutable std::vector<Call> calls;
+
+    float Sample1D(const SampleCtx& sc, unsigned i) const override {
+        return static_cast<float>(sc.patternid + 1000 * sc.sampleid + 1000000 * i);
+    }
+    RtFloat2 Sample2D(const SampleCtx& sc, unsigned i) const override {
+        return {Sample1D(sc, i), 2.0f};
+    }
+    RtFloat3 Sample3D(const SampleCtx& sc, unsigned i) const override {
+        return {Sample1D(sc, i), 2.0f, 3.0f};
+    }
+    const RixRNG::Generator* ForChild(Scramble scramble, unsigned split) const override {
+        calls.push_back({scramble, split});
+        return child;
+    }
+};
+
+/// Overrides the multi-sample functions as well.
+class Batch : public TellTale {
+public:
+    mutable unsigned asked = 0;
+    void MultiSample1D(unsigned n, const SampleCtx& sc, float* xis) const override {
+        asked += n;
+        for (unsigned i = 0; i < n; ++i) xis[i] = static_cast<float>((&sc)[i].sampleid);
+    }
+};
+
+/// Keeps the interface's default ForChild.
+class Minimal : public RixRNG::Generator {
+public:
+    float Sample1D(const SampleCtx&, unsigned) const override { return 0.25f; }
+    RtFloat2 Sample2D(const SampleCtx&, unsigned) const override { return {0.25f, 0.5f}; }
+    RtFloat3 Sample3D(const SampleCtx&, unsigned) const override { return {0.25f, 0.5f, 0.75f}; }
+};
+
+class GeneratorTest : public testing::Test {
+protected:
+    SampleCtx contexts[4] = {{11, 0}, {22, 1}, {33, 2}, {44, 3}};
+    SampleCtx children[4] = {};
+};
+
+TEST_F(GeneratorTest, OnePointDrawsPassTheContextAndTheIndex) {
+    const TellTale tellTale;
+    RixRNG rng(contexts, 4, &tellTale);
+    for (unsigned i = 0; i < 4; ++i) {
+        const float expected = static_cast<float>(11 * (i + 1) + 1000 * i + 1000000 * i);
+        EXPECT_EQ(rng.DrawSample1D(i), expected);
+        EXPECT_EQ(rng.DrawSample2D(i), RtFloat2(expected, 2.0f));
+        EXPECT_EQ(rng.DrawSample3D(i), RtFloat3(expected, 2.0f, 3.0f));
+        EXPECT_EQ(rng.GenerateSample1D(i), expected);
+        EXPECT_EQ(rng.GenerateSample1D(i), expected + 1000);
+    }
+}
+
+TEST_F(GeneratorTest, TheDefaultMultiSampleLoopsWithTheRightIndexAndContext) {
+    const TellTale tellTale;
+    RixRNG rng(contexts, 4, &tellTale);
+    float xi1[4];
+    RtFloat2 xi2[4];
+    RtFloat3 xi3[4];
+    rng.DrawSamples1D(xi1);
+    rng.DrawSamples2D(xi2);
+    rng.DrawSamples3D(xi3);
+    for (unsigned i = 0; i < 4; ++i) {
+        EXPECT_EQ(xi1[i], tellTale.Sample1D(contexts[i], i));
+        EXPECT_EQ(xi2[i], tellTale.Sample2D(contexts[i], i));
+        EXPECT_EQ(xi3[i], tellTale.Sample3D(contexts[i], i));
+    }
+    rng.GenerateSamples1D(2, xi1);
+    EXPECT_EQ(xi1[1], 22.0f + 1000 + 1000000);
+    EXPECT_EQ(contexts[1].sampleid, 2u);
+    EXPECT_EQ(contexts[2].sampleid, 2u);
+}
+
+TEST_F(GeneratorTest, AnOverriddenMultiSampleIsAskedOnceForAllPoints) {
+    const Batch batch;
+    RixRNG rng(contexts, 4, &batch);
+    float xis[4];
+    rng.GenerateSamples1D(xis);
+    EXPECT_EQ(batch.asked, 4u);
+    EXPECT_EQ(xis[3], 3.0f);
+    rng.DrawSamples1D(3, xis);
+    EXPECT_EQ(batch.asked, 7u);
+    EXPECT_EQ(xis[0], 1.0f);
+}
+
+TEST_F(GeneratorTest, NoPointsAskNothing) {
+    const Batch batch;
+    RixRNG rng(nullptr, 0, &batch);
+    rng.DrawSamples1D(nullptr);
+    rng.GenerateSamples3D(nullptr);
+    RixRNG child(rng, kScramble, nullptr);
+    EXPECT_EQ(batch.asked, 0u);
+    EXPECT_EQ(child.numPts, 0u);
+    EXPECT_EQ(child.generator, &batch);
+}
+
+TEST_F(GeneratorTest, EveryKindOfChildInheritsTheGenerator) {
+    const Minimal minimal;
+    const RixRNG parent(contexts, 4, &minimal);
+    EXPECT_EQ(RixRNG(parent, children, 2).generator, &minimal);
+    EXPECT_EQ(RixRNG(&parent, children, 2).generator, &minimal);
+    EXPECT_EQ(RixRNG(parent, kScramble, children).generator, &minimal);
+    EXPECT_EQ(RixRNG(&parent, kScramble, children).generator, &minimal);
+    EXPECT_EQ(RixRNG(parent, kScramble, children, RixRNG::Distrib{0}).generator, &minimal);
+    EXPECT_EQ(RixRNG(&parent, kScramble, children, RixRNG::Distrib{0}).generator, &minimal);
+    EXPECT_EQ(RixRNG(parent, kScramble, children, RixRNG::Split{4}).generator, &minimal);
+    EXPECT_EQ(RixRNG(&parent, kScramble, children, RixRNG::Split{4}).generator, &minimal);
+}
+
+TEST_F(GeneratorTest, ForChildHearsTheScrambleAndTheSplit) {
+    TellTale tellTale;
+    const Minimal other;
+    tellTale.child = &other;
+    const RixRNG parent(contexts, 4, &tellTale);
+    const RixRNG plain(parent, kScramble, children);
+    const RixRNG split(parent, kScramble, children, RixRNG::Split{6});
+    const RixRNG distrib(parent, kScramble, children, RixRNG::Distrib{9});
+    ASSERT_EQ(tellTale.calls.size(), 3u);
+    EXPECT_EQ(tellTale.calls[0].split, 1u);
+    EXPECT_EQ(tellTale.calls[1].split, 6u);
+    EXPECT_EQ(tellTale.calls[2].split, 0u);
+    for (const TellTale::Call& call : tellTale.calls) EXPECT_EQ(call.scramble, kScramble);
+    EXPECT_EQ(plain.generator, &other);
+    EXPECT_EQ(split.generator, &other);
+    EXPECT_EQ(distrib.generator, &other);
+    EXPECT_EQ(RixRNG(parent, children, 4).generator, &tellTale) << "takes the parent's own";
+    EXPECT_EQ(tellTale.calls.size(), 3u);
+}
+
+TEST_F(GeneratorTest, ForChildMayGoBackToTheTables) {
+    TellTale tellTale;
+    tellTale.child = nullptr;
+    const RixRNG child(RixRNG(contexts, 4, &tellTale), kScramble, children);
+    EXPECT_EQ(child.generator, nullptr);
+    EXPECT_EQ(child.DrawSample1D(0),
+              RixProgressiveSample1D(children[0].patternid, children[0].sampleid));
+}
+
+TEST_F(GeneratorTest, NullStaysNull) {
+    const RixRNG parent(contexts, 4);
+    EXPECT_EQ(parent.generator, nullptr);
+    EXPECT_EQ(RixRNG(parent, children, 4).generator, nullptr);
+    EXPECT_EQ(RixRNG(parent, kScramble, children).generator, nullptr);
+    EXPECT_EQ(RixRNG(parent, kScramble, children, RixRNG::Distrib{0}).generator, nullptr);
+    EXPECT_EQ(RixRNG(parent, kScramble, children, RixRNG::Split{2}).generator, nullptr);
+}
+
+TEST_F(GeneratorTest, DomainsDoNotDependOnTheGenerator) {
+    const Minimal minimal;
+    const RixRNG with(contexts, 4, &minimal);
+    const RixRNG without(contexts, 4);
+    SampleCtx others[4];
+    with.NewDomainsSplit(kScramble, 3, children);
+    without.NewDomainsSplit(kScramble, 3, others);
+    for (unsigned i = 0; i < 4; ++i) {
+        EXPECT_EQ(children[i].patternid, others[i].patternid);
+        EXPECT_EQ(children[i].sampleid, others[i].sampleid);
+    }
+}
+
+TEST(RandomGenerator, IsHashToRandomAndRepeats) {
+    const wellstrat::RandomGenerator random;
+    SampleCtx sc{5, 0};
+    RixRNG rng(&sc, 1, &random);
+    for (unsigned s = 0; s < 1000; ++s) {
+        const RtFloat3 xyz = rng.DrawSample3D(0);
+        EXPECT_EQ(rng.DrawSample1D(0), HashToRandom(5, s));
+        EXPECT_EQ(xyz.z, HashToRandom(5, s));
+        EXPECT_EQ(rng.DrawSample2D(0), RtFloat2(xyz.x, xyz.y));
+        EXPECT_TRUE(xyz.x != xyz.y && xyz.y != xyz.z);
+        EXPECT_EQ(rng.GenerateSample3D(0), xyz);
+    }
+}
+
+// The tables run out into the same samples, so switching is seamless.
+TEST(RandomGenerator, EqualsTheTablesWhereTheyHaveRunOut) {
+    const wellstrat::RandomGenerator random;
+    for (unsigned s : {196608u, 1000000u, 0xffffffffu}) {
+        const SampleCtx sc{77, s};
+        EXPECT_EQ(random.Sample3D(sc, 0), RixProgressiveSample3D(77, s));
+        EXPECT_EQ(random.Sample2D(sc, 0), RixProgressiveSample2D(77, s));
+        EXPECT_EQ(random.Sample1D(sc, 0), RixProgressiveSample1D(77, s));
+    }
+}
+
+} // namespace
