@@ -86,17 +86,20 @@ private:
         report_.violations += violations;
     }
 
+    /// The interval that the last `width` bits of an interval's number stand for.
+    static std::string side(std::size_t interval, unsigned width) {
+        if (width == 0) return "[0, 1)";
+        const std::size_t parts = std::size_t{1} << width;
+        const std::size_t part = interval % parts;
+        const std::string over = "/" + std::to_string(parts);
+        return "[" + std::to_string(part) + over + ", " + std::to_string(part + 1) + over + ")";
+    }
+
     std::string describe(std::size_t interval, uint32_t found) const {
         std::string box;
         for (unsigned d = points_.dims(); d-- > 0;) {
-            const std::size_t parts = std::size_t{1} << width_[d];
-            const std::size_t part = interval & (parts - 1);
+            box.insert(0, (d == 0 ? "" : " x ") + side(interval, width_[d]));
             interval >>= width_[d];
-            const std::string denominator = "/" + std::to_string(parts);
-            const std::string side = parts == 1 ? "[0, 1)"
-                                                : "[" + std::to_string(part) + denominator + ", " +
-                                                      std::to_string(part + 1) + denominator + ")";
-            box = box.empty() ? side : side + " x " + box;
         }
         const std::size_t first = interval << blockLog2_;
         const std::size_t end = first + (std::size_t{1} << blockLog2_);
