@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests of the command line tool share. The program is named by $WELLSTRAT."""
+
+import array
+import ast
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.environ["WELLSTRAT"]
+
+
+class CliTest(unittest.TestCase):
+    """Runs the program in an empty directory of its own."""
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = directory.name
+
+    def path(self, name):
+        return os.path.join(self.directory, name)
+
+    def files(self):
+        return sorted(os.listdir(self.directory))
+
+    def read(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def run_program(self, *arguments, **options):
+        """The finished process; its output is bytes."""
+        options.setdefault("stdout", subprocess.PIPE)
+        return subprocess.run(
+            [PROGRAM, *arguments], cwd=self.directory, stdin=subprocess.DEVNULL,
+            stderr=subprocess.PIPE, timeout=200, check=False, **options)
+
+    def output_of(self, *arguments, **options):
+        """What a run that must succeed, without a word on standard error, prints."""
+        process = self.run_program(*arguments, **options)
+        self.assertEqual((process.returncode, process.stderr), (0, b""), arguments)
+        return process.stdout
+
+    def assert_fails(self, *arguments, mentions="", **options):
+        """Exit code 2, one line on standard error, nothing on standard output, no file changed."""
+        before = {name: self.read(name) for name in self.files()}
+        process = self.run_program(*arguments, **options)
+        message = process.stderr.decode()
+        self.assertEqual(process.returncode, 2, (arguments, message))
+        self.assertRegex(message, r"\Awellstrat: [^\n]+\n\Z", arguments)
+        self.assertIn(mentions, message, arguments)
+        self.assertFalse(process.stdout, arguments)
+        self.assertEqual({name: self.read(name) for name in self.files()}, before, arguments)
+
+
+def floats(data):
+    """The numbers of bytes that hold little-endian 32-bit floats."""
+    return numbers("f", data)
+
+
+def words(data):
+    """The numbers of bytes that hold little-endian 32-bit unsigned integers."""
+    return numbers("I", data)
+
+
+def numbers(code, data):
+    values = array.array(code)
+    assert values.itemsize == 4
+    values.frombytes(data)
+    if sys.byteorder == "big":
+        values.byteswap()
+    return values
+
+
+def read_npy(data):
+    """(type, shape, data) of a .npy file, read as the format's specification says."""
+    assert data[:8] == b"\x93NUMPY\x01\x00", data[:8]
+    end = 10 + int.from_bytes(data[8:10], "little")
+    header = data[10:end].decode("ascii")
+    assert end % 64 == 0 and header.endswith("\n"), header
+    fields = ast.literal_eval(header)
+    assert set(fields) == {"descr", "fortran_order", "shape"} and not fields["fortran_order"]
+    return fields["descr"], fields["shape"], data[end:]
+
+
+def read_csv(data):
+    """Rows of numbers, each the double of a float that the text stands for."""
+    return [tuple(to_float(field) for field in line.split(",")) for line in data.decode().split()]
+
+
+def to_float(text):
+    """The 32-bit float that a decimal number, or a double that was read from one, stands for."""
+    return array.array("f", [float(text)])[0]

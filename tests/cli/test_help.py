@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Help, versions and `wellstrat info`."""
+
+import json
+import os
+import shlex
+import unittest
+
+from support import CliTest
+
+SUBCOMMANDS = ("sample", "verify", "tables", "info")
+OPTIONS = {
+    "sample": ("--dims", "--count", "--first", "--pattern", "--generator", "--format", "-o",
+               "--plot", "--compare", "--keep-plot-files"),
+    "verify": ("--tables", "--patterns", "--json"),
+    "tables": ("--export", "--type"),
+    "info": ("--json",),
+}
+
+
+class HelpTest(CliTest):
+    def help_of(self, *arguments):
+        return self.output_of(*arguments, "--help").decode()
+
+    def examples_in(self, text):
+        lines = text.partition("Examples:\n")[2].partition("\n\n")[0].splitlines()
+        return [shlex.split(line.partition(">")[0])[1:] for line in lines]
+
+    def test_top_names_every_subcommand(self):
+        text = self.help_of()
+        for name in SUBCOMMANDS:
+            self.assertRegex(text, rf"(?m)^  {name} +\S")
+
+    def test_every_option_is_listed(self):
+        for name, options in OPTIONS.items():
+            text = self.help_of(name)
+            for option in options:
+                self.assertRegex(text, rf"(?m)^  {option}\b.*\S")
+
+    def test_lines_fit(self):
+        for arguments in ((), *((name,) for name in SUBCOMMANDS)):
+            for line in self.help_of(*arguments).splitlines():
+                self.assertLessEqual(len(line), 100)
+
+    def test_examples_run(self):
+        """Guards against examples that the options have left behind."""
+        for name in SUBCOMMANDS:
+            examples = self.examples_in(self.help_of(name))
+            self.assertTrue(examples, name)
+            for example in examples:
+                self.assertEqual(example[0], name)
+                if "--plot" in example or (name == "verify" and "--tables" not in example):
+                    continue  # needs gnuplot, which other tests do; or takes long
+                self.output_of(*example)
+
+    def test_version(self):
+        version = os.environ["WELLSTRAT_VERSION"]
+        line = self.output_of("--version").decode()
+        self.assertRegex(line, rf"\Awellstrat {version}, stream version \d+\n\Z")
+
+
+class InfoTest(CliTest):
+    def test_json(self):
+        info = json.loads(self.output_of("info", "--json"))
+        self.assertEqual(info["version"], os.environ["WELLSTRAT_VERSION"])
+        self.assertGreaterEqual(info["stream_version"], 1)
+        tables = info["tables"]
+        self.assertEqual((tables["count"], tables["points_per_table"]), (384, 4096))
+        self.assertEqual(info["stratified_samples_per_pattern"], 48 * 4096)
+        self.assertLessEqual(tables["bytes"], 19 << 20)
+        self.assertGreater(tables["build_ms"], 0)
+        self.assertTrue(info["compiler"])
+
+    def test_text(self):
+        text = self.output_of("info").decode()
+        for part in ("stream version", "compiler", "384", "4096", "MiB", "ms", "196608"):
+            self.assertIn(part, text)
+
+
+if __name__ == "__main__":
+    unittest.main()

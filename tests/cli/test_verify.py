@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`wellstrat verify`. That it finds violations is shown by tests/mutants."""
+
+import json
+import os
+import pty
+import subprocess
+import unittest
+
+from support import PROGRAM, CliTest
+
+SHORT = ("verify", "--tables", "0..3", "--patterns", "5")
+
+
+class VerifyTest(CliTest):
+    def test_certificate(self):
+        text = self.output_of(*SHORT).decode()
+        self.assertRegex(text, r"(?m)^promise +subject +intervals +result$")
+        self.assertRegex(text, r"(?m)^\(x, y\).*\(0,m,2\)-net.* 4 tables.* \d+  ok$")
+        self.assertRegex(text, r"\n\d+ intervals checked, all promises hold\n\Z")
+        self.assertNotIn("VIOLATED", text)
+
+    def test_json(self):
+        certificate = json.loads(self.output_of(*SHORT, "--json"))
+        self.assertTrue(certificate["passed"])
+        self.assertEqual(certificate["version"], os.environ["WELLSTRAT_VERSION"])
+        self.assertEqual(certificate["tables"], [0, 3])
+        self.assertEqual(certificate["patterns"], 5)
+        self.assertGreaterEqual(certificate["stream_version"], 1)
+        self.assertGreater(len(certificate["lines"]), 8)
+        for line in certificate["lines"]:
+            self.assertTrue(line["promise"] and line["subject"])
+            self.assertGreater(line["intervals"], 0)
+            self.assertEqual((line["violations"], line["first_violation"]), (0, ""))
+
+    def test_more_tables_are_more_intervals(self):
+        def intervals(tables):
+            run = self.output_of("verify", "--tables", tables, "--patterns", "0", "--json")
+            return sum(line["intervals"] for line in json.loads(run)["lines"])
+        self.assertGreater(intervals("0..3"), intervals("383..383"))
+
+    def test_progress_is_for_terminals(self):
+        controller, terminal = pty.openpty()
+        process = subprocess.run([PROGRAM, *SHORT], stdout=subprocess.PIPE, stderr=terminal,
+                                 check=False, timeout=200)
+        os.close(terminal)
+        shown = os.read(controller, 65536).decode()
+        os.close(controller)
+        self.assertEqual(process.returncode, 0)
+        self.assertIn("checking tables:", shown)
+        self.assertIn("checking patterns:", shown)
+        self.assertTrue(shown.endswith("\r\x1b[K"))
+        self.assertEqual(process.stdout, self.output_of(*SHORT))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sub-commands. To add one: write its file, declare it here, list it in main.cpp.
+
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace wellstrat::cli {
+
+/// Each adds its sub-command to `app`. When the command line names it, parsing runs it; it throws
+/// CliError if it cannot do what was asked, and sets `exitCode` if that is to be other than 0.
+/// `exitCode` must outlive `app`.
+void addSample(CLI::App& app, int& exitCode);
+void addVerify(CLI::App& app, int& exitCode);
+void addTables(CLI::App& app, int& exitCode);
+void addInfo(CLI::App& app, int& exitCode);
+
+} // namespace wellstrat::cli

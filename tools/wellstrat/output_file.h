@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Output that appears under its name only when it is complete.
+
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace wellstrat::cli {
+
+/// A file being written. The bytes go to a temporary file in the same directory, which `commit`
+/// renames; without a commit the destructor removes it, and a file of that name stays as it was.
+/// The path "-" is the standard output; that, devices and pipes are written directly. A symbolic
+/// link stays, and the file that it leads to is replaced. All functions throw CliError on failure.
+class OutputFile {
+public:
+    explicit OutputFile(const std::string& path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::string_view bytes);
+    void commit();
+
+private:
+    void close();
+
+    std::string path_;
+    std::string target_;    ///< what the temporary file will be renamed to
+    std::string temporary_; ///< empty when written directly
+    std::FILE* file_;
+};
+
+/// Prints to the standard output at once. Throws CliError if that fails.
+void printText(std::string_view text);
+
+} // namespace wellstrat::cli

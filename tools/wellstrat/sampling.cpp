@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "sampling.h"
+
+#include "errors.h"
+#include "wellstrat/random_generator.h"
+
+#include <fmt/format.h>
+
+namespace wellstrat::cli {
+
+const std::vector<NamedGenerator>& namedGenerators() {
+    static const RandomGenerator random;
+    static const std::vector<NamedGenerator> generators{
+        {"pmj", "well stratified, from the tables", nullptr},
+        {"random", "independent random numbers", &random},
+    };
+    return generators;
+}
+
+const NamedGenerator& findGenerator(const std::string& option, const std::string& name) {
+    std::string names;
+    for (const NamedGenerator& candidate : namedGenerators()) {
+        if (name == candidate.name) return candidate;
+        names += names.empty() ? candidate.name : fmt::format(", {}", candidate.name);
+    }
+    throw CliError(
+        fmt::format("{}: no generator is called '{}'; there are {}", option, name, names));
+}
+
+} // namespace wellstrat::cli

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// wellstrat tables: exports the tables for other renderers.
+
+#include "wellstrat/tables.h"
+
+#include "commands.h"
+#include "errors.h"
+#include "npy.h"
+#include "options.h"
+#include "output_file.h"
+#include "versions.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <memory>
+#include <string>
+
+namespace wellstrat::cli {
+namespace {
+
+constexpr auto kExamples =
+    R"(The tables are an array of 384 x 4096 x 3 numbers: table, sample, coordinate (x, y, z), in this
+order, the coordinate running fastest. uint32 values are fractions of 2^32 and multiples of 2^8;
+float32 values are the same fractions in [0, 1).
+  .npy  NumPy array of shape (384, 4096, 3)
+  .h    C header that defines the array wellstrat_tables
+  .bin  the 4718592 numbers alone, 4 bytes each, little-endian: the number of (table, sample,
+        coordinate) begins at byte 4 * ((table * 4096 + sample) * 3 + coordinate)
+
+Examples:
+  wellstrat tables --export tables.npy
+  wellstrat tables --export tables.bin --type float32
+  wellstrat tables --export wellstrat_tables.h
+)";
+
+constexpr unsigned kCoordinates = 3;
+
+using Buffer = fmt::memory_buffer;
+
+/// Appends one number. The first coordinate of a point has c = 0.
+using AppendNumber = void (*)(Buffer& out, uint32_t value, unsigned c);
+
+void appendWord(Buffer& out, uint32_t value, unsigned /*c*/) { appendLittleEndian(out, value); }
+
+void appendFloat(Buffer& out, uint32_t value, unsigned /*c*/) {
+    appendLittleEndian(out, toUnitFloat(value));
+}
+
+/// What stands around a coordinate of a point in C.
+const char* before(unsigned c) { return c == 0 ? "\n{" : " "; }
+const char* after(unsigned c) { return c == kCoordinates - 1 ? "}," : ","; }
+
+void appendWordLiteral(Buffer& out, uint32_t value, unsigned c) {
+    fmt::format_to(std::back_inserter(out), "{}0x{:08x}u{}", before(c), value, after(c));
+}
+
+/// All values are multiples of 2^-24, which nine significant digits tell apart.
+void appendFloatLiteral(Buffer& out, uint32_t value, unsigned c) {
+    fmt::format_to(std::back_inserter(out), "{}{:#.9g}f{}", before(c), toUnitFloat(value),
+                   after(c));
+}
+
+/// `open` and `close` stand around each table.
+void writeTables(OutputFile& out, AppendNumber append, const char* open = "",
+                 const char* close = "") {
+    Buffer buffer;
+    for (unsigned table = 0; table < kTableCount; ++table) {
+        out.write(open);
+        for (unsigned index = 0; index < kTableSize; ++index) {
+            for (unsigned c = 0; c < kCoordinates; ++c) {
+                append(buffer, tableValue(table, index, static_cast<Coordinate>(c)), c);
+            }
+        }
+        out.write({buffer.data(), buffer.size()});
+        out.write(close);
+        buffer.clear();
+    }
+}
+
+void writeHeader(OutputFile& out, bool floats) {
+    out.write(fmt::format(
+        "/* The sample tables of {0}: {1} tables of {2} points (x, y, z), as\n"
+        "   {3}. Made by \"wellstrat tables\". Include it in one source file. */\n"
+        "#ifndef WELLSTRAT_TABLES_H\n"
+        "#define WELLSTRAT_TABLES_H\n\n"
+        "{4}"
+        "#define WELLSTRAT_TABLE_COUNT {1}\n"
+        "#define WELLSTRAT_TABLE_SIZE {2}\n\n"
+        "static const {5} wellstrat_tables[{1}][{2}][{6}] = {{\n",
+        versionLine(), kTableCount, kTableSize, floats ? "floats in [0, 1)" : "fractions of 2^32",
+        floats ? "" : "#include <stdint.h>\n\n", floats ? "float" : "uint32_t", kCoordinates));
+    writeTables(out, floats ? appendFloatLiteral : appendWordLiteral, "{", "\n},\n");
+    out.write("};\n\n#endif\n");
+}
+
+void exportTables(const std::string& path, const std::string& type) {
+    if (type != "uint32" && type != "float32") {
+        throw CliError(fmt::format("--type: neither uint32 nor float32: '{}'", type));
+    }
+    const bool floats = type == "float32";
+    const std::string suffix = requireSuffix("--export", path, {".npy", ".h", ".bin"});
+    OutputFile out(path);
+    if (suffix == ".h") {
+        writeHeader(out, floats);
+    } else {
+        if (suffix == ".npy") {
+            out.write(npyHeader(floats ? "<f4" : "<u4", {kTableCount, kTableSize, kCoordinates}));
+        }
+        writeTables(out, floats ? appendFloat : appendWord);
+    }
+    out.commit();
+}
+
+} // namespace
+
+void addTables(CLI::App& app, int& /*exitCode*/) {
+    CLI::App* const command = app.add_subcommand("tables", "Export the tables");
+    const auto path = std::make_shared<std::string>();
+    const auto type = std::make_shared<std::string>("uint32");
+    command->add_option("--export", *path, "The file to write: FILE.npy, FILE.h or FILE.bin")
+        ->type_name("FILE")
+        ->required();
+    command->add_option("--type", *type, "uint32 or float32 [uint32]")->type_name("NAME");
+    command->footer(kExamples);
+    command->callback([path, type] { exportTables(*path, *type); });
+}
+
+} // namespace wellstrat::cli

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// wellstrat verify: checks every promise about stratification and prints the certificate.
+
+#include "commands.h"
+#include "errors.h"
+#include "options.h"
+#include "output_file.h"
+#include "versions.h"
+#include "wellstrat/analysis/certificate.h"
+#include "wellstrat/tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace wellstrat::cli {
+namespace {
+
+constexpr auto kExamples =
+    R"(Every promise is checked exactly: of the elementary intervals, strata and boxes that must hold
+a certain number of points, each one is counted.
+
+Examples:
+  wellstrat verify
+  wellstrat verify --tables 0..7 --patterns 100
+  wellstrat verify --json > certificate.json
+
+Exit codes: 0 all promises hold, 1 a promise does not hold, 2 error.
+)";
+
+constexpr uint32_t kPatternSeed = 1;
+
+struct VerifyOptions {
+    std::string tables = "all";
+    uint64_t patterns = 1000;
+    bool json = false;
+};
+
+struct TableRange {
+    unsigned first, last;
+};
+
+TableRange parseTables(const std::string& text) {
+    constexpr NumberRange range{0, kTableCount - 1};
+    if (text == "all") return {0, kTableCount - 1};
+    const size_t dots = text.find("..");
+    uint64_t first = 0, last = 0;
+    if (dots == std::string::npos || !parseNumber(text.substr(0, dots), range, first) ||
+        !parseNumber(text.substr(dots + 2), range, last) || first > last) {
+        throw CliError(fmt::format("--tables: neither 'all' nor A..B with 0 <= A <= B <= {}: '{}'",
+                                   range.max, text));
+    }
+    return {static_cast<unsigned>(first), static_cast<unsigned>(last)};
+}
+
+/// Shows the share of the work done on standard error, if that is a terminal.
+class Progress {
+public:
+    explicit Progress(const char* label) : label_(label) {}
+    ~Progress() {
+        if (percent_ >= 0) fmt::print(stderr, "\r\x1b[K");
+    }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    CertificateProgress callback() {
+        if (isatty(STDERR_FILENO) == 0) return {};
+        return [this](double share) { show(static_cast<int>(100 * share)); };
+    }
+
+private:
+    void show(int percent) {
+        if (percent == percent_) return;
+        percent_ = percent;
+        fmt::print(stderr, "\rchecking {}: {} %", label_, percent);
+    }
+
+    const char* label_;
+    int percent_ = -1;
+};
+
+using Certificate = std::vector<CertificateLine>;
+
+Certificate certify(TableRange range, unsigned patterns) {
+    Certificate certificate;
+    {
+        Progress progress("tables");
+        certificate = certifyTables(range.first, range.last, progress.callback());
+    }
+    Progress progress("patterns");
+    const Certificate users = certifyPatterns(patterns, kPatternSeed, progress.callback());
+    certificate.insert(certificate.end(), users.begin(), users.end());
+    return certificate;
+}
+
+bool holds(const Certificate& certificate) {
+    return std::all_of(certificate.begin(), certificate.end(),
+                       [](const CertificateLine& line) { return line.violations == 0; });
+}
+
+std::string result(const CertificateLine& line) {
+    return line.violations == 0 ? "ok" : fmt::format("{} VIOLATED", line.violations);
+}
+
+std::string tableText(const Certificate& certificate) {
+    size_t promiseWidth = 7, subjectWidth = 7;
+    uint64_t intervals = 0, violations = 0;
+    for (const CertificateLine& line : certificate) {
+        promiseWidth = std::max(promiseWidth, line.promise.size());
+        subjectWidth = std::max(subjectWidth, line.subject.size());
+        intervals += line.intervals;
+        violations += line.violations;
+    }
+    std::string text = versionLine() + "\n\n";
+    const auto out = std::back_inserter(text);
+    const auto row = [&](const auto& promise, const auto& subject, const auto& count,
+                         const auto& outcome) {
+        fmt::format_to(out, "{:<{}}  {:<{}}  {:>12}  {}\n", promise, promiseWidth, subject,
+                       subjectWidth, count, outcome);
+    };
+    row("promise", "subject", "intervals", "result");
+    for (const CertificateLine& line : certificate) {
+        row(line.promise, line.subject, line.intervals, result(line));
+        if (!line.firstViolation.empty())
+            fmt::format_to(out, "    first: {}\n", line.firstViolation);
+    }
+    fmt::format_to(out, "\n{} intervals checked, {}\n", intervals,
+                   violations == 0 ? "all promises hold" : fmt::format("{} violated", violations));
+    return text;
+}
+
+std::string jsonText(const Certificate& certificate, TableRange range, uint64_t patterns) {
+    nlohmann::ordered_json json = versionedJson();
+    json["tables"] = {range.first, range.last};
+    json["patterns"] = patterns;
+    json["pattern_seed"] = kPatternSeed;
+    json["passed"] = holds(certificate);
+    json["lines"] = nlohmann::ordered_json::array();
+    for (const CertificateLine& line : certificate) {
+        json["lines"].push_back({{"promise", line.promise},
+                                 {"subject", line.subject},
+                                 {"intervals", line.intervals},
+                                 {"violations", line.violations},
+                                 {"first_violation", line.firstViolation}});
+    }
+    return json.dump(2) + "\n";
+}
+
+int verify(const VerifyOptions& options) {
+    const TableRange range = parseTables(options.tables);
+    const Certificate certificate = certify(range, static_cast<unsigned>(options.patterns));
+    printText(options.json ? jsonText(certificate, range, options.patterns)
+                           : tableText(certificate));
+    return holds(certificate) ? 0 : kExitViolation;
+}
+
+} // namespace
+
+void addVerify(CLI::App& app, int& exitCode) {
+    CLI::App* const command =
+        app.add_subcommand("verify", "Check every promise about stratification");
+    const auto options = std::make_shared<VerifyOptions>();
+    command->add_option("--tables", options->tables, "The tables to check: all or A..B [all]")
+        ->type_name("RANGE");
+    addNumber(*command, "--patterns", options->patterns, {0, kMaxWord},
+              "How many random patterns to check beside the special ones [1000]");
+    command->add_flag("--json", options->json, "Print the certificate as JSON");
+    command->footer(kExamples);
+    command->callback([options, &exitCode] { exitCode = verify(*options); });
+}
+
+} // namespace wellstrat::cli
