@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// make_golden FILE: writes the golden values anew. Only for a new stream version: as long as the
+// version is the same, a file that changes is a bug.
+
+#include "golden.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+namespace {
+
+using golden::Words;
+
+/// Around all edges: of groups, of blocks, of what is stratified, of 32 bits.
+const Words kSampleids = {
+    0,      1,      2,       3,           5,           63,          255,        256,
+    257,    1023,   4095,    4096,        4097,        8191,        8192,       12288,
+    65535,  65536,  98304,   99999,       131071,      192511,      192512,     196607,
+    196608, 196609, 1000000, 0x7fffffffu, 0x80000000u, 0xfffffffeu, 0xffffffffu};
+const Words kPatterns = {0,           1,           2,           255,         256,
+                         0x12345678u, 0x2d96c92bu, 0x3917fe2eu, 0xdeb189cfu, 0x7fffffffu,
+                         0x80000000u, 0xfffffffeu, 0xffffffffu};
+const Words kScrambles = {0, 1, 0x2d96c92bu, 0x85a308d3u, 0xffffffffu};
+const Words kCounts = {0, 1, 2, 4, 7, 0xffffffffu};
+
+class Writer {
+public:
+    explicit Writer(std::ostream& out) : out_(out) {}
+    void operator()(const char* kind, const Words& arguments = {}) {
+        out_ << golden::record(kind, arguments) << '\n';
+    }
+
+private:
+    std::ostream& out_;
+};
+
+void writeSamples(Writer& write) {
+    for (const uint32_t pattern : kPatterns) {
+        for (const uint32_t sampleid : kSampleids) write("sample", {pattern, sampleid});
+    }
+    for (const uint32_t pattern : kPatterns) {
+        for (const uint32_t first : {0u, 4096u, 96u * 1024u, 47u * 4096u, 0xfffffff0u}) {
+            write("run", {pattern, first, 4096 + 16});
+        }
+        for (const uint32_t sampleid : {0u, 1u, 0xffffffffu}) write("random", {pattern, sampleid});
+    }
+    for (uint32_t table = 0; table < wellstrat::kTableCount; ++table) write("table", {table});
+}
+
+void writeContexts(Writer& write) {
+    for (const uint32_t pattern : {0u, 1u, 0x12345678u, 0xffffffffu}) {
+        for (const uint32_t scramble : kScrambles) {
+            write("domain", {pattern, 7, scramble});
+            for (const uint32_t sampleid : {0u, 1u, 0xffffffffu}) {
+                write("distrib", {pattern, sampleid, scramble, sampleid / 2});
+            }
+        }
+        for (const uint32_t count : kCounts) write("split", {pattern, 0x40000003u, 5, count});
+        for (const uint32_t b : kSampleids) write("hash", {pattern, b});
+    }
+    for (const uint32_t x : {0u, 1u, 0xffffu, 0x10000u, 0xffffffffu}) {
+        for (const uint32_t y : {0u, 1u, 1079u, 0xffffffffu}) {
+            for (const uint32_t frame : {0u, 1u, 0xffffffffu}) write("camera", {x, y, frame, 9});
+        }
+    }
+}
+
+void writeAll(std::ostream& out) {
+    out << "# Golden values of wellstrat; golden.h explains the lines. Made by make_golden.\n";
+    Writer write(out);
+    write("stream");
+    writeSamples(write);
+    writeContexts(write);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 2) {
+        std::cerr << "usage: make_golden FILE\n";
+        return 2;
+    }
+    const std::string path = argv[1], unfinished = path + ".part";
+    {
+        std::ofstream out(unfinished, std::ios::binary);
+        writeAll(out);
+        if (!out.flush()) {
+            std::cerr << "make_golden: cannot write " << unfinished << '\n';
+            return 2;
+        }
+    }
+    std::error_code error;
+    std::filesystem::rename(unfinished, path, error);
+    if (error) {
+        std::cerr << "make_golden: cannot write " << path << ": " << error.message() << '\n';
+        return 2;
+    }
+    return 0;
+}
