@@ -5,6 +5,7 @@
 #include "wellstrat/owen.h"
 #include "wellstrat/sobol.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace wellstrat {
@@ -16,17 +17,23 @@ struct SobolStrata {
     uint16_t x[kTableSize], y[kTableSize], z[kTableSize];
 
     SobolStrata() {
-        const SobolMatrix matrices[] = {sobolMatrix(0), sobolMatrix(1), sobolMatrix(2)};
-        for (unsigned i = 0; i < kTableSize; ++i) {
-            const unsigned index = (i & ~(kGroupSize - 1)) | reverseByte(i);
-            x[i] = stratum(matrices[0], index);
-            y[i] = stratum(matrices[1], index);
-            z[i] = stratum(matrices[2], index);
-        }
+        fill(sobolMatrix(0), x);
+        fill(sobolMatrix(1), y);
+        fill(sobolMatrix(2), z);
     }
 
-    static uint16_t stratum(const SobolMatrix& matrix, unsigned index) {
-        return static_cast<uint16_t>(sobolSample(matrix, index) >> (32 - kTableSizeLog2));
+    static void fill(const SobolMatrix& matrix, uint16_t* strata) {
+        uint16_t byIndex[kTableSize] = {0};
+        for (unsigned digit = 0; digit < kTableSizeLog2; ++digit) {
+            const unsigned count = 1u << digit;
+            const unsigned column = matrix.column[digit] >> (32 - kTableSizeLog2);
+            for (unsigned i = 0; i < count; ++i) {
+                byIndex[count + i] = static_cast<uint16_t>(byIndex[i] ^ column);
+            }
+        }
+        for (unsigned i = 0; i < kTableSize; ++i) {
+            strata[i] = byIndex[(i & ~(kGroupSize - 1)) | reverseByte(i)];
+        }
     }
 };
 
@@ -41,11 +48,15 @@ public:
         // overwritten before it is used. First the nodes whose bits are all in word 0.
         const uint32_t root = owenNodeBits(seed, 0);
         flips_[0] = root >> 1 & 1u;
-        for (unsigned count = 2; count < 32; count *= 2) append(0, count, root >> count);
+        for (unsigned count = 2; count < 32; count *= 2) {
+            for (unsigned start = count; start-- > 0;) {
+                flips_[start] = withFlip(flips_[start / 2], root >> (count + start) & 1u);
+            }
+        }
         for (unsigned count = 32; count < kTableSize; count *= 2) {
             for (unsigned start = count; start > 0;) {
                 start -= 32;
-                append(start, 32, owenNodeBits(seed, (count + start) / 32));
+                append(start, owenNodeBits(seed, (count + start) / 32));
             }
         }
     }
@@ -53,10 +64,23 @@ public:
     uint32_t operator()(unsigned stratum) const { return stratum ^ flips_[stratum / 2]; }
 
 private:
-    void append(unsigned start, unsigned count, uint32_t bits) {
-        for (unsigned i = count; i-- > 0;) {
-            flips_[start + i] =
-                static_cast<uint16_t>(flips_[(start + i) / 2] * 2u + (bits >> i & 1u));
+    static uint16_t withFlip(unsigned flips, unsigned bit) {
+        return static_cast<uint16_t>(flips * 2 + bit);
+    }
+
+    /// The flips of 32 starts, by the bits of their nodes. In steps that compilers turn into vector
+    /// code.
+    void append(unsigned start, uint32_t bits) {
+        uint16_t parents[16];
+        std::copy_n(&flips_[start / 2], 16, parents);
+        uint16_t* flips = &flips_[start];
+        for (unsigned i = 0; i < 16; ++i) flips[2 * i] = flips[2 * i + 1] = parents[i];
+        for (unsigned half = 0; half < 2; ++half) {
+            const auto word = static_cast<uint16_t>(bits >> 16 * half);
+            for (unsigned i = 0; i < 16; ++i) {
+                uint16_t& entry = flips[16 * half + i];
+                entry = withFlip(entry, (word & static_cast<uint16_t>(1u << i)) != 0);
+            }
         }
     }
 
