@@ -1,0 +1,53 @@
+# What `cmake --install` installs: headers, libraries, the CMake package and the pkg-config file.
+# (The command line tool installs itself.) No installed file holds an absolute path: the tree may
+# be moved.
+
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/wellstrat)
+set(installed_libraries wellstrat)
+set(headers_left_out PATTERN analysis EXCLUDE)
+if(TARGET wellstrat_analysis)
+  list(APPEND installed_libraries wellstrat_analysis)
+  set(headers_left_out)
+endif()
+
+install(TARGETS ${installed_libraries} EXPORT wellstratTargets)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.h" ${headers_left_out})
+install(FILES ${PROJECT_BINARY_DIR}/include/wellstrat/version.h
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wellstrat)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Shared libraries find each other, and the tool finds them, wherever the tree stands.
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
+  OUTPUT_VARIABLE bin_to_lib)
+if(TARGET wellstrat_analysis)
+  set_target_properties(wellstrat_analysis PROPERTIES INSTALL_RPATH "$ORIGIN")
+endif()
+if(TARGET wellstrat_cli)
+  set_target_properties(wellstrat_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+endif()
+
+install(EXPORT wellstratTargets NAMESPACE wellstrat:: DESTINATION ${package_dir})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/wellstratConfig.cmake.in
+  ${PROJECT_BINARY_DIR}/wellstratConfig.cmake
+  INSTALL_DESTINATION ${package_dir}
+  NO_SET_AND_CHECK_MACRO)
+# Before 1.0 a new minor version may change the interface.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/wellstratConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/wellstratConfig.cmake
+              ${PROJECT_BINARY_DIR}/wellstratConfigVersion.cmake
+  DESTINATION ${package_dir})
+
+# Relative to the file's own place, which pkg-config calls pcfiledir.
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_PREFIX
+  BASE_DIRECTORY ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig OUTPUT_VARIABLE pc_prefix)
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}
+  OUTPUT_VARIABLE pc_libdir)
+cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_INCLUDEDIR BASE_DIRECTORY ${CMAKE_INSTALL_PREFIX}
+  OUTPUT_VARIABLE pc_includedir)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/wellstrat.pc.in ${PROJECT_BINARY_DIR}/wellstrat.pc
+  @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/wellstrat.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
