@@ -9,8 +9,9 @@
 
 #include "wellstrat/lookup.h"
 
-// Without registers of a fixed size, and on processors without a gain.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
+// Left out: registers of no fixed size, and what gains nothing over the next target.
+#define HWY_DISABLED_TARGETS                                                                       \
+    (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch/vector.cpp"
 #include "hwy/foreach_target.h"

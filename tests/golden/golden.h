@@ -5,16 +5,19 @@
 //
 //     <kind> <arguments, hexadecimal> = <results, hexadecimal>
 //
-// in which samples are the integers k of the floats k * 2^-24. Needs nothing but the library, so
-// that builds for other architectures can run it.
+// in which samples are the integers k of the floats k * 2^-24. Each answer is computed by the
+// scalar and by the batch functions, which must agree. Needs nothing but the library, so that
+// builds for other architectures can run it.
 
 #pragma once
 
 #include "RixRNG.h"
+#include "wellstrat/batch.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/random_generator.h"
 #include "wellstrat/version.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>
@@ -36,10 +39,17 @@ inline uint32_t bitsOf(float xi) {
     return bits;
 }
 
+/// A batch that starts with the context: long enough for whole vectors of any batch target, with a
+/// rest after them.
+inline std::vector<SampleCtx> batchFrom(uint32_t patternid, uint32_t sampleid) {
+    std::vector<SampleCtx> contexts;
+    for (uint32_t i = 0; i < 2 * 16 + 5; ++i) contexts.push_back({patternid + i, sampleid + i});
+    return contexts;
+}
+
 /// x, y and z of the samples of all contexts, drawn in all the ways there are, which must agree.
-inline Words sampleBits(std::vector<SampleCtx> contexts, const RixRNG::Generator* generator) {
-    const auto n = static_cast<unsigned>(contexts.size());
-    const RixRNG rng(contexts.data(), n, generator);
+inline Words sampleBits(const RixRNG& rng) {
+    const unsigned n = rng.numPts;
     std::vector<float> z(n);
     std::vector<RtFloat2> xy(n);
     std::vector<RtFloat3> xyz(n);
@@ -57,6 +67,14 @@ inline Words sampleBits(std::vector<SampleCtx> contexts, const RixRNG::Generator
     return bits;
 }
 
+/// x, y and z of the first sample of batchFrom(a[0], a[1]).
+inline Words firstSample(const Words& a, const RixRNG::Generator* generator) {
+    auto contexts = batchFrom(a[0], a[1]);
+    Words bits = sampleBits({contexts.data(), static_cast<unsigned>(contexts.size()), generator});
+    bits.resize(3);
+    return bits;
+}
+
 /// Fowler, Noll and Vo's hash FNV-1a of the bytes of the words, lowest first: stands for values too
 /// many to list.
 inline Words digest(const Words& words) {
@@ -69,17 +87,23 @@ inline Words digest(const Words& words) {
     return {hash};
 }
 
-inline Words sample(const Words& a) { return sampleBits({{a[0], a[1]}}, nullptr); }
+inline Words sample(const Words& a) { return firstSample(a, nullptr); }
 
 inline Words randomSample(const Words& a) {
     const wellstrat::RandomGenerator random;
-    return sampleBits({{a[0], a[1]}}, &random);
+    return firstSample(a, &random);
 }
 
+/// Drawn in batches of 1, 2, 3, ... samples, so that vectors have rests of any length.
 inline Words run(const Words& a) {
     std::vector<SampleCtx> contexts;
     for (uint32_t i = 0; i < a[2]; ++i) contexts.push_back({a[0], a[1] + i});
-    return digest(sampleBits(std::move(contexts), nullptr));
+    Words bits;
+    for (uint32_t first = 0, n = 1; first < a[2]; first += n, ++n) {
+        const Words some = sampleBits({&contexts[first], std::min(n, a[2] - first)});
+        bits.insert(bits.end(), some.begin(), some.end());
+    }
+    return digest(bits);
 }
 
 inline Words table(const Words& a) {
@@ -94,23 +118,54 @@ inline Words table(const Words& a) {
 }
 
 inline Words hash(const Words& a) {
-    const uint32_t word = HashToUnsigned(a[0], a[1]);
-    if (bitsOf(HashToRandom(a[0], a[1])) != word >> 8) {
-        throw std::runtime_error("HashToRandom is not HashToUnsigned");
+    const auto contexts = batchFrom(a[0], a[1]);
+    std::vector<float> xis(contexts.size());
+    wellstrat::hashToRandom(contexts.size(), contexts.data(), xis.data());
+    for (std::size_t i = 0; i < contexts.size(); ++i) {
+        const SampleCtx sc = contexts[i];
+        const uint32_t bits = HashToUnsigned(sc.patternid, sc.sampleid) >> 8;
+        if (bitsOf(HashToRandom(sc.patternid, sc.sampleid)) != bits || bitsOf(xis[i]) != bits) {
+            throw std::runtime_error("HashToRandom is not HashToUnsigned");
+        }
     }
-    return {word};
+    return {HashToUnsigned(a[0], a[1])};
 }
 
 inline Words words(SampleCtx sc) { return {sc.patternid, sc.sampleid}; }
 
+/// The domain of the first context of batchFrom(a[0], a[1]), of all of which domain(rng, i) for the
+/// i-th and domains(rng, out) for all must agree.
+template <typename Domain, typename Domains>
+Words firstDomain(const Words& a, Domain domain, Domains domains) {
+    auto parents = batchFrom(a[0], a[1]);
+    const RixRNG rng(parents.data(), static_cast<unsigned>(parents.size()));
+    std::vector<SampleCtx> children(parents.size());
+    domains(rng, children.data());
+    for (unsigned i = 0; i < rng.numPts; ++i) {
+        if (words(domain(rng, i)) != words(children[i])) {
+            throw std::runtime_error("domains of one context differ");
+        }
+    }
+    return words(children[0]);
+}
+
 inline Words domain(const Words& a) {
-    return words(SampleCtx{a[0], a[1]}.NewDomain(static_cast<Scramble>(a[2])));
+    const auto scramble = static_cast<Scramble>(a[2]);
+    return firstDomain(
+        a, [&](const RixRNG& rng, unsigned i) { return rng.NewDomain(i, scramble); },
+        [&](const RixRNG& rng, SampleCtx* out) { rng.NewDomains(scramble, out); });
 }
 inline Words distrib(const Words& a) {
-    return words(SampleCtx{a[0], a[1]}.NewDomainDistrib(static_cast<Scramble>(a[2]), a[3]));
+    const auto scramble = static_cast<Scramble>(a[2]);
+    return firstDomain(
+        a, [&](const RixRNG& rng, unsigned i) { return rng.NewDomainDistrib(i, scramble, a[3]); },
+        [&](const RixRNG& rng, SampleCtx* out) { rng.NewDomainsDistrib(scramble, a[3], out); });
 }
 inline Words split(const Words& a) {
-    return words(SampleCtx{a[0], a[1]}.NewDomainSplit(static_cast<Scramble>(a[2]), a[3]));
+    const auto scramble = static_cast<Scramble>(a[2]);
+    return firstDomain(
+        a, [&](const RixRNG& rng, unsigned i) { return rng.NewDomainSplit(i, scramble, a[3]); },
+        [&](const RixRNG& rng, SampleCtx* out) { rng.NewDomainsSplit(scramble, a[3], out); });
 }
 inline Words camera(const Words& a) {
     return words(
