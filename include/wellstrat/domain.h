@@ -14,6 +14,13 @@
 
 namespace wellstrat {
 
+namespace detail {
+
+/// Keeps the keys of sampleids, in distribution, apart from scrambles: "dist" in ASCII.
+constexpr uint32_t kDistribKey = 0x64697374u;
+
+} // namespace detail
+
 /// The constant that tells a new domain from its siblings. Any 32-bit value, but a different one
 /// for each domain that is derived from the same parent. A type of its own, so that the compiler
 /// catches a sample count or an index in its place.
@@ -44,7 +51,7 @@ struct SampleCtx {
     WELLSTRAT_HOST_DEVICE constexpr SampleCtx NewDomainDistrib(Scramble scramble,
                                                                unsigned newsampleid) const {
         const unsigned domain = derivePattern(patternid, scramble);
-        return {derivePattern(domain, static_cast<Scramble>(~sampleid)), newsampleid};
+        return {permuteBits(domain, permutationKey(sampleid ^ detail::kDistribKey)), newsampleid};
     }
 
     /// Splitting: a new domain in which each visit takes exactly `newnumsamples` consecutive

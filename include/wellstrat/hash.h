@@ -41,22 +41,27 @@ struct PermutationKey {
     uint32_t first, second;
 };
 
-/// The words of `key`.
+/// The words of `key`: two independent hashes of it.
 WELLSTRAT_HOST_DEVICE constexpr PermutationKey permutationKey(uint32_t key) {
-    const uint32_t k = mixBits(key + detail::kGolden);
-    return {k, k * detail::kGolden};
+    const uint32_t first = mixBits(key + detail::kGolden);
+    return {first, mixBits(first + detail::kGolden)};
 }
 
 /// For each key a bijection of 32-bit words, with full avalanche in the word and in the key: the
-/// rounds of `mixBits`, one word of the key added before each.
+/// rounds of `mixBits` and a third one, with one word of the key before the first and the other
+/// before the last. With two rounds, the images of a block of words under two keys sometimes share
+/// many words, since all that then lies between them and the second key is linear.
+/// The multiplier of the third round is that of Appleby's finalizer (see `mixBits`).
 WELLSTRAT_HOST_DEVICE constexpr uint32_t permuteBits(uint32_t x, PermutationKey key) {
     x ^= key.first;
     x ^= x >> 16;
     x *= 0x21f0aaadu;
-    x += key.second;
     x ^= x >> 15;
     x *= 0x735a2d97u;
+    x += key.second;
     x ^= x >> 15;
+    x *= 0x85ebca6bu;
+    x ^= x >> 16;
     return x;
 }
 

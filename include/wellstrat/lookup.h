@@ -91,11 +91,39 @@ WELLSTRAT_HOST_DEVICE inline float tableSampleZ(const uint32_t* words, uint32_t 
     return toUnitFloat(words[kTablePoints + offset] ^ digitalShift(seed, Coordinate::z));
 }
 
+namespace detail {
+
+// Samples beyond the first 4096 of a pattern.
+
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline float
+laterSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
+    if (sampleid >= kStratifiedSamples) return randomSample1D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleZ(words, seed, sampleOffset(seed, sampleid));
+}
+
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float2
+laterSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
+    if (sampleid >= kStratifiedSamples) return randomSample2D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleXY(words, seed, sampleOffset(seed, sampleid));
+}
+
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float3
+laterSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
+    const Float2 xy = laterSample2D(words, patternid, sampleid);
+    return {xy.x, xy.y, laterSample1D(words, patternid, sampleid)};
+}
+
+} // namespace detail
+
 /// Sample `sampleid` of pattern `patternid` from the tables at `words`: z of the point in [0, 1),
-/// so that a 1D and a 2D draw from one context make one 3D point.
+/// so that a 1D and a 2D draw from one context make one 3D point. The first 4096 samples, which
+/// most patterns never leave, are inlined; what follows from their being in block 0, compilers
+/// find out.
 WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patternid,
                                             uint32_t sampleid) {
-    if (sampleid >= kStratifiedSamples) return randomSample1D(patternid, sampleid);
+    if (sampleid >= kTableSize) return detail::laterSample1D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleZ(words, seed, sampleOffset(seed, sampleid));
 }
@@ -103,7 +131,7 @@ WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patt
 /// The same for (x, y) of the point.
 WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
-    if (sampleid >= kStratifiedSamples) return randomSample2D(patternid, sampleid);
+    if (sampleid >= kTableSize) return detail::laterSample2D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXY(words, seed, sampleOffset(seed, sampleid));
 }
@@ -111,7 +139,7 @@ WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t pat
 /// The same for the whole point.
 WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
-    if (sampleid >= kStratifiedSamples) return randomSample3D(patternid, sampleid);
+    if (sampleid >= kTableSize) return detail::laterSample3D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     const uint32_t offset = sampleOffset(seed, sampleid);
     const Float2 xy = tableSampleXY(words, seed, offset);

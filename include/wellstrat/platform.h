@@ -18,9 +18,9 @@
 #define WELLSTRAT_API __attribute__((visibility("default")))
 #endif
 
-/// On functions of the rare case, to keep their code out of their callers'.
+/// On functions for rare cases, to keep their code out of their callers'.
 #if defined(__GNUC__) && !defined(__CUDACC__)
-#define WELLSTRAT_COLD __attribute__((noinline, cold))
+#define WELLSTRAT_NOINLINE __attribute__((noinline))
 #else
-#define WELLSTRAT_COLD
+#define WELLSTRAT_NOINLINE
 #endif

@@ -25,17 +25,17 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t randomBits(uint32_t patternid, uint32_t
 }
 
 /// z, (x, y) and (x, y, z) of a sample, in [0, 1).
-WELLSTRAT_HOST_DEVICE WELLSTRAT_COLD inline float randomSample1D(uint32_t patternid,
-                                                                 uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline float randomSample1D(uint32_t patternid,
+                                                                     uint32_t sampleid) {
     return toUnitFloat(randomBits(patternid, sampleid, Coordinate::z));
 }
-WELLSTRAT_HOST_DEVICE WELLSTRAT_COLD inline Float2 randomSample2D(uint32_t patternid,
-                                                                  uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float2 randomSample2D(uint32_t patternid,
+                                                                      uint32_t sampleid) {
     return {toUnitFloat(randomBits(patternid, sampleid, Coordinate::x)),
             toUnitFloat(randomBits(patternid, sampleid, Coordinate::y))};
 }
-WELLSTRAT_HOST_DEVICE WELLSTRAT_COLD inline Float3 randomSample3D(uint32_t patternid,
-                                                                  uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float3 randomSample3D(uint32_t patternid,
+                                                                      uint32_t sampleid) {
     const Float2 xy = randomSample2D(patternid, sampleid);
     return {xy.x, xy.y, randomSample1D(patternid, sampleid)};
 }

@@ -51,10 +51,10 @@ HWY_INLINE V mixBits(V x) {
 
 /// `first` and `second` are the words of a PermutationKey.
 HWY_INLINE V permuteBits(V x, V first, V second) {
-    x = xorShifted<16>(hn::Xor(x, first));
-    x = hn::Add(hn::Mul(x, constant(0x21f0aaadu)), second);
-    x = hn::Mul(xorShifted<15>(x), constant(0x735a2d97u));
-    return xorShifted<15>(x);
+    x = hn::Mul(xorShifted<16>(hn::Xor(x, first)), constant(0x21f0aaadu));
+    x = hn::Add(hn::Mul(xorShifted<15>(x), constant(0x735a2d97u)), second);
+    x = hn::Mul(xorShifted<15>(x), constant(0x85ebca6bu));
+    return xorShifted<16>(x);
 }
 
 HWY_INLINE V permuteBits(V x, PermutationKey key) {
@@ -63,7 +63,7 @@ HWY_INLINE V permuteBits(V x, PermutationKey key) {
 
 HWY_INLINE V permuteBitsByKey(V x, V key) {
     const V first = mixBits(hn::Add(key, constant(detail::kGolden)));
-    return permuteBits(x, first, hn::Mul(first, constant(detail::kGolden)));
+    return permuteBits(x, first, mixBits(hn::Add(first, constant(detail::kGolden))));
 }
 
 HWY_INLINE V hashPair(V a, V b) { return mixBits(hn::Add(permuteBitsByKey(b, a), b)); }
@@ -229,7 +229,8 @@ void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scrambl
         V patternid, sampleid;
         load(parent, patternid, sampleid);
         const V domain = permuteBits(patternid, key);
-        store(permuteBitsByKey(domain, hn::Not(sampleid)), constant(newsampleid), child);
+        store(permuteBitsByKey(domain, hn::Xor(sampleid, constant(detail::kDistribKey))),
+              constant(newsampleid), child);
     });
 }
 

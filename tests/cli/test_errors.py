@@ -52,6 +52,8 @@ BAD_INPUT = (
     ((*SAMPLE, "--plot", "missing/plot.png"), "missing/plot.png"),
     ((*SAMPLE, "--plot", "directory.png"), "directory"),
     ((*SAMPLE, "-o", "new.csv", "--plot", "missing/plot.png"), "missing/plot.png"),
+    ((*SAMPLE, "-o", "same.png", "--plot", "same.png"), "two outputs"),
+    ((*SAMPLE, "-o", "a.dat", "--plot", "a.png", "--keep-plot-files"), "two outputs"),
     (("sample", "--count", "65537", "--plot", "plot.png"), "65536"),
     ((*SAMPLE, "--keep-plot-files"), "--plot"),
     ((*SAMPLE, "--compare", "random,pmj"), "--plot"),

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace {
@@ -115,6 +117,28 @@ TEST(Camera, TheReadyMadeDomainsOfAPixelAllDiffer) {
         ASSERT_TRUE(filter != lens && lens != time && time != filter && sc.patternid != lens);
         ASSERT_NE(sc.NewDomain(static_cast<Scramble>(frame)).patternid,
                   cameraContext(100, 200, frame + 1, 0).patternid);
+    }
+}
+
+// Two frames of n pixels share about n^2 / 2^32 patterns, as any two sets of random words do. A
+// hash whose keys act too simply lets some pairs of frames share thousands: noise that comes back.
+TEST(Camera, FramesShareNoMorePatternsThanByChance) {
+    constexpr int width = 480, height = 270, frames = 240;
+    std::vector<unsigned> previous, current;
+    for (unsigned frame = 0; frame < frames; ++frame) {
+        current.clear();
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                current.push_back(cameraContext(x, y, frame, 0).patternid);
+            }
+        }
+        std::sort(current.begin(), current.end());
+        std::vector<unsigned> shared;
+        std::set_intersection(previous.begin(), previous.end(), current.begin(), current.end(),
+                              std::back_inserter(shared));
+        // 3.9 are expected. More than 30 come by chance once in 10^15 pairs.
+        ASSERT_LT(shared.size(), 30u) << "frames " << frame - 1 << " and " << frame;
+        previous.swap(current);
     }
 }
 

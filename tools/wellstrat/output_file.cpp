@@ -6,10 +6,12 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <cerrno>
+#include <cstdlib>
 #include <filesystem>
+#include <set>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace wellstrat::cli {
@@ -17,12 +19,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A name in the directory of `target` that no other process uses. Short, since the target's own
-/// name may be as long as names can be.
-std::string temporaryName(const fs::path& target) {
-    static std::atomic<unsigned> counter{0};
-    const std::string name = fmt::format(".wellstrat-{}-{}.tmp", getpid(), counter++);
-    return (target.parent_path() / name).string();
+/// The targets of all files being written.
+std::set<std::string>& openTargets() {
+    static std::set<std::string> targets;
+    return targets;
+}
+
+/// The permissions of the file that `target` will replace, or those of a new file.
+mode_t permissions(const std::string& target) {
+    struct stat status {};
+    if (stat(target.c_str(), &status) == 0) return status.st_mode & 07777;
+    const mode_t mask = umask(0);
+    umask(mask);
+    return 0666 & ~mask;
+}
+
+/// Opens a new file beside `target` under a name of its own, which it returns in `name`: short,
+/// since the target's name may be as long as names can be.
+std::FILE* openTemporary(const std::string& target, std::string& name) {
+    name = (fs::path(target).parent_path() / ".wellstrat-XXXXXX").string();
+    const int descriptor = mkstemp(name.data());
+    if (descriptor < 0) {
+        name.clear();
+        return nullptr;
+    }
+    if (fchmod(descriptor, permissions(target)) == 0) {
+        if (std::FILE* const file = fdopen(descriptor, "wb")) return file;
+    }
+    ::close(descriptor);
+    return nullptr;
 }
 
 } // namespace
@@ -37,20 +62,35 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path), fi
     if (path.empty() || fs::is_directory(status)) {
         throw fileError("write", path, path.empty() ? ENOENT : EISDIR);
     }
-    const bool direct = fs::exists(status) && !fs::is_regular_file(status);
-    if (!direct) {
-        if (fs::is_symlink(fs::symlink_status(path, error))) {
-            target_ = fs::weakly_canonical(path, error).string();
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        file_ = std::fopen(path.c_str(), "wb");
+    } else {
+        fs::path target = fs::weakly_canonical(path, error);
+        std::error_code noLink;
+        const fs::path leadsTo = fs::read_symlink(target, noLink); // to nothing yet
+        if (!noLink) target = target.parent_path() / leadsTo;
+        target_ = target.string();
+        if (error) throw fileError("write", path, error.value());
+        if (!openTargets().insert(target_).second) {
+            throw CliError(fmt::format("'{}' is the name of two outputs; give each its own", path));
         }
-        temporary_ = temporaryName(target_);
+        file_ = openTemporary(target_, temporary_);
     }
-    file_ = direct ? std::fopen(path.c_str(), "wb") : std::fopen(temporary_.c_str(), "wbx");
-    if (file_ == nullptr) throw fileError("write", path, errno);
+    if (file_ == nullptr) {
+        const int reason = errno;
+        discard();
+        throw fileError("write", path, reason);
+    }
 }
 
 OutputFile::~OutputFile() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+    discard();
+}
+
+void OutputFile::discard() {
     if (!temporary_.empty()) std::remove(temporary_.c_str());
+    openTargets().erase(target_);
 }
 
 void OutputFile::write(std::string_view bytes) {

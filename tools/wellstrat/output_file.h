@@ -13,7 +13,8 @@ namespace wellstrat::cli {
 /// A file being written. The bytes go to a temporary file in the same directory, which `commit`
 /// renames; without a commit the destructor removes it, and a file of that name stays as it was.
 /// The path "-" is the standard output; that, devices and pipes are written directly. A symbolic
-/// link stays, and the file that it leads to is replaced. All functions throw CliError on failure.
+/// link stays, and the file that it leads to is replaced, with the permissions that it had. Two
+/// files being written cannot have one name. All functions throw CliError on failure.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
@@ -26,6 +27,7 @@ public:
 
 private:
     void close();
+    void discard();
 
     std::string path_;
     std::string target_;    ///< what the temporary file will be renamed to
