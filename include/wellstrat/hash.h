@@ -47,22 +47,12 @@ WELLSTRAT_HOST_DEVICE constexpr PermutationKey permutationKey(uint32_t key) {
     return {first, mixBits(first + detail::kGolden)};
 }
 
-/// For each key a bijection of 32-bit words, with full avalanche in the word and in the key: the
-/// rounds of `mixBits` and a third one, with one word of the key before the first and the other
-/// before the last. With two rounds, the images of a block of words under two keys sometimes share
-/// many words, since all that then lies between them and the second key is linear.
-/// The multiplier of the third round is that of Appleby's finalizer (see `mixBits`).
+/// For each key a bijection of 32-bit words, with full avalanche in the word and in the key. One
+/// `mixBits` with parts of the key before each round is not enough: the images of a block of words,
+/// such as the pixels of a frame, under two keys then sometimes share thousands of words
+/// (docs/decisions/0007-pattern-keys.md).
 WELLSTRAT_HOST_DEVICE constexpr uint32_t permuteBits(uint32_t x, PermutationKey key) {
-    x ^= key.first;
-    x ^= x >> 16;
-    x *= 0x21f0aaadu;
-    x ^= x >> 15;
-    x *= 0x735a2d97u;
-    x += key.second;
-    x ^= x >> 15;
-    x *= 0x85ebca6bu;
-    x ^= x >> 16;
-    return x;
+    return mixBits(mixBits(x ^ key.first) + key.second);
 }
 
 /// A hash of two words. For a fixed `a` it is a random function of `b` and no permutation: values

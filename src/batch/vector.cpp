@@ -51,10 +51,7 @@ HWY_INLINE V mixBits(V x) {
 
 /// `first` and `second` are the words of a PermutationKey.
 HWY_INLINE V permuteBits(V x, V first, V second) {
-    x = hn::Mul(xorShifted<16>(hn::Xor(x, first)), constant(0x21f0aaadu));
-    x = hn::Add(hn::Mul(xorShifted<15>(x), constant(0x735a2d97u)), second);
-    x = hn::Mul(xorShifted<15>(x), constant(0x85ebca6bu));
-    return xorShifted<16>(x);
+    return mixBits(hn::Add(mixBits(hn::Xor(x, first)), second));
 }
 
 HWY_INLINE V permuteBits(V x, PermutationKey key) {
