@@ -10,7 +10,7 @@ SAMPLE = ("sample", "--count", "4")
 
 # Arguments, and what the message must mention.
 BAD_INPUT = (
-    ((), "sample, verify, tables, info"),
+    ((), "sample, verify, tables, "),
     (("nonsense",), "'nonsense'"),
     (("--nonsense",), "--nonsense"),
     (("info", "extra"), "extra"),

@@ -8,13 +8,17 @@ import unittest
 
 from support import CliTest
 
-SUBCOMMANDS = ("sample", "verify", "tables", "info")
+SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study")
 OPTIONS = {
     "sample": ("--dims", "--count", "--first", "--pattern", "--generator", "--format", "-o",
                "--plot", "--compare", "--keep-plot-files"),
     "verify": ("--tables", "--patterns", "--json"),
     "tables": ("--export", "--type"),
+    "analyze": ("FILE", "--generator", "--count", "--dims", "--pattern", "--realizations",
+                "--format", "--type", "--json", "--plot", "--keep-plot-files"),
     "info": ("--json",),
+    "study": ("--list", "--generators", "--integrands", "--counts", "--patterns", "--table",
+              "--fit-from", "-o", "--plot", "--keep-plot-files", "--resume", "--save-every"),
 }
 
 

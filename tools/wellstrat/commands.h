@@ -14,6 +14,8 @@ namespace wellstrat::cli {
 void addSample(CLI::App& app, int& exitCode);
 void addVerify(CLI::App& app, int& exitCode);
 void addTables(CLI::App& app, int& exitCode);
+void addAnalyze(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
+void addStudy(CLI::App& app, int& exitCode);
 
 } // namespace wellstrat::cli

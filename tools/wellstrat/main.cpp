@@ -65,7 +65,8 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(26);
     app.footer(kExamples);
     app.require_subcommand(1);
-    for (const auto add : {addSample, addVerify, addTables, addInfo}) add(app, exitCode);
+    for (const auto add : {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy})
+        add(app, exitCode);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& request) {

@@ -2,6 +2,7 @@
 
 #include "sample_figure.h"
 
+#include "plot_data.h"
 #include "strata_panel.h"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <iterator>
 #include <string>
-#include <utility>
 
 namespace wellstrat::cli {
 namespace {
@@ -18,26 +18,8 @@ namespace {
 constexpr unsigned kPanelWidth = 560;
 constexpr unsigned kPanelHeight = 600;
 
-/// The data file: named sets of lines, with two blank lines between them as gnuplot wants.
-class DataFile {
-public:
-    void begin(const char* set, size_t number) {
-        fmt::format_to(std::back_inserter(text_), "{}# {}{}\n", text_.empty() ? "" : "\n\n", set,
-                       number);
-    }
-    template <typename... T>
-    void line(fmt::format_string<T...> format, T&&... values) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<T>(values)...);
-        text_ += '\n';
-    }
-    std::string take() { return std::move(text_); }
-
-private:
-    std::string text_;
-};
-
 /// Start and direction of the lines between the strata; more than some would be a gray area.
-void writeGrid(DataFile& data, const StrataPanel& panel) {
+void writeGrid(PlotData& data, const StrataPanel& panel) {
     constexpr unsigned kMaxLines = 64;
     const unsigned columns = std::min(panel.columns, kMaxLines);
     const unsigned rows = std::min(panel.rows, kMaxLines);
@@ -47,7 +29,7 @@ void writeGrid(DataFile& data, const StrataPanel& panel) {
 
 /// From, to and the number of points of the 1D strata that hold any. Each stands apart from its
 /// neighbors while there is room for that; beyond, equal neighbors are merged.
-void writeStrata(DataFile& data, const PanelAxis& axis, unsigned count) {
+void writeStrata(PlotData& data, const PanelAxis& axis, unsigned count) {
     constexpr unsigned kMaxApart = 256;
     const double gap = count <= kMaxApart ? 0.08 : 0.0;
     const std::vector<unsigned> points = strataCounts(axis, count);
@@ -59,7 +41,7 @@ void writeStrata(DataFile& data, const PanelAxis& axis, unsigned count) {
     }
 }
 
-void writeData(DataFile& data, const StrataPanel& panel, size_t number) {
+void writeData(PlotData& data, const StrataPanel& panel, size_t number) {
     data.begin("grid", number);
     writeGrid(data, panel);
     data.begin("xstrata", number);
@@ -129,7 +111,7 @@ std::string panelScript(const StrataPanel& panel, size_t number) {
 } // namespace
 
 Plot sampleFigure(const std::vector<SampleRun>& runs) {
-    DataFile data;
+    PlotData data;
     std::string panels;
     size_t count = 0;
     for (const SampleRun& run : runs) {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The integrands over given domains, before products are made of them.
+
+#pragma once
+
+#include "wellstrat/analysis/integrands.h"
+
+#include <vector>
+
+namespace wellstrat {
+
+/// A function and its integral.
+struct IntegrandShape {
+    double integral;
+    std::function<double(const double*)> value;
+};
+
+/// A family and the way to its members; the parameter is ignored if the family has none.
+struct IntegrandRecipe {
+    IntegrandFamily family;
+    std::function<IntegrandShape(unsigned parameter)> make;
+};
+
+/// All of them, in the order in which they are listed.
+const std::vector<IntegrandRecipe>& integrandRecipes();
+
+} // namespace wellstrat

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "nonuniform_fft.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <new>
+
+namespace wellstrat {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Cells to each side of a point that its Gaussian reaches. With an oversampling of 2, 12 give 12
+/// digits (Greengard, Lee 2004, section 2).
+constexpr std::size_t kReach = 12;
+constexpr std::size_t kWidth = 2 * kReach;
+
+/// A real grid that is transformed in place.
+class FourierGrid {
+public:
+    explicit FourierGrid(std::size_t side)
+        : side_(side), rowLength_(2 * (side / 2 + 1)),
+          values_(fftw_alloc_real(side * rowLength_), fftw_free) {
+        if (!values_) throw std::bad_alloc();
+        std::fill_n(values_.get(), side * rowLength_, 0.0);
+    }
+
+    double* row(std::size_t y) { return values_.get() + y * rowLength_; }
+
+    void transform() {
+        auto* const out = reinterpret_cast<fftw_complex*>(values_.get());
+        const auto n = static_cast<int>(side_);
+        fftw_plan plan = nullptr;
+        {
+            const std::lock_guard<std::mutex> lock(planning());
+            plan = fftw_plan_dft_r2c_2d(n, n, values_.get(), out, FFTW_ESTIMATE);
+        }
+        if (plan == nullptr) throw std::bad_alloc();
+        fftw_execute(plan);
+        const std::lock_guard<std::mutex> lock(planning());
+        fftw_destroy_plan(plan);
+    }
+
+    /// After the transform, the value at a frequency.
+    std::complex<double> at(int fx, int fy) const {
+        // Kept are those with fx >= 0; the others are the conjugates of their opposites.
+        if (fx < 0) return std::conj(at(-fx, -fy));
+        const auto y =
+            fy < 0 ? side_ - static_cast<std::size_t>(-fy) : static_cast<std::size_t>(fy);
+        const double* value = values_.get() + y * rowLength_ + 2 * static_cast<std::size_t>(fx);
+        return {value[0], value[1]};
+    }
+
+private:
+    /// Of FFTW only the execution of plans is safe in several threads.
+    static std::mutex& planning() {
+        static std::mutex mutex;
+        return mutex;
+    }
+
+    std::size_t side_, rowLength_;
+    std::unique_ptr<double, void (*)(void*)> values_;
+};
+
+/// The part of a point's Gaussian that belongs to one axis.
+struct Spread {
+    /// With t the distance in cells from the first of the kWidth cells on, cell k has the weight
+    /// exp(-(2 pi (t - k) / side)^2 / (4 tau)).
+    Spread(double x, std::size_t side, double tau) {
+        const double scaled = x * static_cast<double>(side);
+        const double below = std::floor(scaled);
+        first = (static_cast<std::size_t>(below) + side + 1 - kReach) % side;
+        const double cell = 2 * kPi / static_cast<double>(side);
+        const double t = scaled - below + static_cast<double>(kReach - 1);
+        for (std::size_t k = 0; k < kWidth; ++k) {
+            const double distance = cell * (t - static_cast<double>(k));
+            weights[k] = std::exp(-distance * distance / (4 * tau));
+        }
+    }
+
+    std::size_t first;
+    std::array<double, kWidth> weights;
+};
+
+void addPoint(FourierGrid& grid, std::size_t side, const Spread& x, const Spread& y) {
+    const std::size_t beforeWrap = std::min(kWidth, side - x.first);
+    for (std::size_t j = 0; j < kWidth; ++j) {
+        double* const row = grid.row((y.first + j) % side);
+        const double weight = y.weights[j];
+        for (std::size_t k = 0; k < beforeWrap; ++k) row[x.first + k] += weight * x.weights[k];
+        for (std::size_t k = beforeWrap; k < kWidth; ++k) {
+            row[k - beforeWrap] += weight * x.weights[k];
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::complex<double>> planeSums(const UnitPoints& points, int maxFrequency) {
+    // `modes` frequencies an axis, twice as many cells.
+    const std::size_t modes =
+        std::max<std::size_t>(2 * static_cast<std::size_t>(maxFrequency) + 2, kWidth);
+    const std::size_t side = 2 * modes;
+    const double tau = kPi * kReach / (static_cast<double>(modes * modes) * 2 * (2 - 0.5));
+    FourierGrid grid(side);
+    for (std::size_t i = 0; i < points.count(); ++i) {
+        addPoint(grid, side, Spread(points.coordinate(0)[i], side, tau),
+                 Spread(points.coordinate(1)[i], side, tau));
+    }
+    grid.transform();
+
+    std::vector<std::complex<double>> sums;
+    sums.reserve(static_cast<std::size_t>(2 * maxFrequency + 1) *
+                 static_cast<std::size_t>(maxFrequency + 1));
+    const double scale = kPi / tau / static_cast<double>(side * side);
+    for (int fy = 0; fy <= maxFrequency; ++fy) {
+        for (int fx = -maxFrequency; fx <= maxFrequency; ++fx) {
+            sums.push_back(grid.at(fx, fy) * (scale * std::exp((fx * fx + fy * fy) * tau)));
+        }
+    }
+    return sums;
+}
+
+} // namespace wellstrat

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "wellstrat/analysis/independence.h"
+
+#include "RixRNG.h"
+#include "analysis/measured_points.h"
+#include "src/analysis/chi_square.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace wellstrat {
+namespace {
+
+using test::makeUnitPoints;
+using test::randomUnitPoints;
+
+constexpr std::size_t kCount = 4096;
+
+/// Streams of random numbers, named by their place.
+std::vector<SampleStream> randomStreams(unsigned streams, unsigned dims, uint32_t seed) {
+    std::vector<SampleStream> result;
+    for (unsigned s = 0; s < streams; ++s) {
+        result.push_back({std::to_string(s), randomUnitPoints(kCount, dims, hashPair(seed, s))});
+    }
+    return result;
+}
+
+/// The samples of contexts of the tables.
+std::vector<SampleStream> tableStreams(const std::vector<SampleCtx>& contexts) {
+    std::vector<SampleStream> result;
+    for (const SampleCtx& first : contexts) {
+        std::vector<double> values;
+        SampleCtx context = first;
+        RixRNG rng(&context, 1);
+        for (std::size_t i = 0; i < kCount; ++i) {
+            const Float3 xyz = rng.GenerateSample3D(0);
+            values.insert(values.end(), {xyz.x, xyz.y, xyz.z});
+        }
+        result.push_back({"", {values.data(), kCount, 3}});
+    }
+    return result;
+}
+
+/// One degree: the normal distribution's. Two: the exponential one's. Any even number 2n: the
+/// probability of less than n events of Poisson's.
+TEST(ChiSquareTails, ClosedForms) {
+    for (const double x : {1e-3, 0.1, 1.0, 2.9, 3.1, 10.0, 40.0, 200.0}) {
+        EXPECT_NEAR(chiSquareTails(x, 1).above / std::erfc(std::sqrt(x / 2)), 1, 1e-12) << x;
+        EXPECT_NEAR(chiSquareTails(x, 2).above / std::exp(-x / 2), 1, 1e-12) << x;
+        double poisson = 0;
+        for (int k = 0; k < 30; ++k) {
+            poisson += std::exp(k * std::log(x / 2) - x / 2 - std::lgamma(k + 1));
+        }
+        const Tails tails = chiSquareTails(x, 60);
+        EXPECT_NEAR(tails.above / poisson, 1, 1e-11) << x;
+        EXPECT_NEAR(tails.above + tails.below, 1, 1e-15);
+    }
+    EXPECT_EQ(chiSquareTails(0, 5).below, 0);
+    EXPECT_NEAR(chiSquareTails(0.02, 4).below, 1 - 1.01 * std::exp(-0.01), 1e-15);
+}
+
+/// Four points on a 2 x 2 grid, by hand: x = 0, 0, .5, .5 and y = 0, .5, 0, .5 are independent, and
+/// x against itself is as dependent as can be.
+TEST(Independence, OfFourPoints) {
+    const auto stream = [](unsigned shift) {
+        return makeUnitPoints(
+            4, 1, [=](std::size_t i, unsigned) { return ((i >> shift) & 1) != 0 ? 0.5 : 0.0; });
+    };
+    const auto test = [&](unsigned a, unsigned b) {
+        return testIndependence({{"a", stream(a)}, {"b", stream(b)}}, 2, 1).worst.front();
+    };
+    EXPECT_NEAR(test(0, 1).correlation, 0, 1e-15);
+    EXPECT_NEAR(test(0, 1).chiSquare, 0, 1e-15);
+    EXPECT_NEAR(test(0, 0).correlation, 1, 1e-15);
+    EXPECT_NEAR(test(0, 0).chiSquare, 4, 1e-15);
+    EXPECT_NEAR(test(0, 0).correlationProbability, std::erfc(std::sqrt(1.5)), 1e-15);
+    EXPECT_NEAR(test(0, 0).chiSquareProbability, 2 * std::erfc(std::sqrt(2.0)), 1e-15);
+}
+
+/// 20 runs of 252 pairs. The probability of a run is uniform, so that one in 20,000 test runs fails
+/// at the limit of 1 / 400,000 for no reason; the means are within six standard errors.
+TEST(Independence, OfRandomStreams) {
+    for (uint32_t seed = 0; seed < 20; ++seed) {
+        const IndependenceReport report = testIndependence(randomStreams(8, 3, seed), 16, 5);
+        EXPECT_EQ(report.pairs, 252u);
+        ASSERT_EQ(report.worst.size(), 5u);
+        EXPECT_GT(report.probability(), 1.0 / 400000);
+        EXPECT_NEAR(report.correlationSpread, 1, 6 / std::sqrt(2 * 252.0));
+        EXPECT_NEAR(report.meanChiSquare, 1, 6 * std::sqrt(2.0 / 225 / 252));
+        for (std::size_t k = 1; k < 5; ++k) {
+            EXPECT_LE(report.worst[k - 1].probability(), report.worst[k].probability());
+        }
+    }
+}
+
+TEST(Independence, NamesTheCorrelatedPair) {
+    std::vector<SampleStream> streams = randomStreams(6, 2, 1);
+    const UnitPoints& source = streams[1].points;
+    const UnitPoints& noise = streams[4].points;
+    const UnitPoints mixed = makeUnitPoints(kCount, 2, [&](std::size_t i, unsigned d) {
+        return d == 0 ? noise.coordinate(0)[i]
+                      : 0.8 * noise.coordinate(1)[i] + 0.2 * source.coordinate(0)[i];
+    });
+    streams[4].points = mixed;
+    const IndependenceReport report = testIndependence(streams, 16, 3);
+    EXPECT_LT(report.probability(), 1e-10);
+    EXPECT_EQ(report.worst[0].first, 1u);
+    EXPECT_EQ(report.worst[0].firstDim, 0u);
+    EXPECT_EQ(report.worst[0].second, 4u);
+    EXPECT_EQ(report.worst[0].secondDim, 1u);
+    EXPECT_GT(report.worst[1].probability() * 2 * 60, 1e-6);
+}
+
+/// y = |2 x - 1|: no correlation, but dependence.
+TEST(Independence, SeesDependenceWithoutCorrelation) {
+    const UnitPoints x = randomUnitPoints(kCount, 1, 1);
+    const UnitPoints y = makeUnitPoints(kCount, 1, [&](std::size_t i, unsigned) {
+        return std::min(std::fabs(2 * x.coordinate(0)[i] - 1), std::nextafter(1.0, 0.0));
+    });
+    const CoordinatePair pair = testIndependence({{"x", x}, {"y", y}}, 16, 1).worst.front();
+    EXPECT_LT(std::fabs(pair.correlation), 0.1);
+    EXPECT_LT(pair.chiSquareProbability, 1e-100);
+}
+
+/// Domains that visit one net in lockstep: each pair of coordinates fills the grid too evenly.
+TEST(Independence, SeesLockstep) {
+    const UnitPoints points = test::unitPoints(test::owenPoints(12, 2, 1));
+    const CoordinatePair pair =
+        testIndependence({{"a", points.projection({0})}, {"b", points.projection({1})}}, 16, 1)
+            .worst.front();
+    EXPECT_LT(pair.chiSquare, 0.01);
+    EXPECT_LT(pair.chiSquareProbability, 1e-100);
+}
+
+/// A missing scramble: two patterns that are the same.
+TEST(Independence, SeesAMissingScramble) {
+    const IndependenceReport report = testIndependence(tableStreams({{7, 0}, {7, 0}}), 16, 9);
+    EXPECT_NEAR(report.worst[0].correlation, 1, 1e-12);
+    EXPECT_EQ(report.worst[0].firstDim, report.worst[0].secondDim);
+}
+
+/// The same net again and again, its order scrambled at all levels by exact nested shuffles, its
+/// coordinates by digital shifts.
+std::vector<SampleStream> exactlyShuffledStreams(unsigned streams) {
+    const test::RawPoints net = test::owenPoints(12, 3, 1);
+    std::vector<SampleStream> result;
+    for (uint32_t s = 0; s < streams; ++s) {
+        const test::RawPoints points = test::makePoints(12, 3, [&](uint32_t i, unsigned d) {
+            const uint32_t shuffled = owenScramble(i << 20, hashPair(1, s), 12) >> 20;
+            return net.at(shuffled, d) ^ hashPair(hashPair(2, s), d);
+        });
+        result.push_back({"", test::unitPoints(points)});
+    }
+    return result;
+}
+
+/// Domains of the library are as independent as exact nested shuffles leave them. These are not
+/// quite random orders: both means are above 1. The tolerances are six times the spread of the
+/// ratios over 20 other sets of as many domains.
+TEST(Independence, OfDomains) {
+    constexpr unsigned domains = 32;
+    std::vector<SampleCtx> contexts;
+    for (unsigned s = 0; s < domains; ++s) {
+        contexts.push_back(SampleCtx{1, 0}.NewDomain(static_cast<Scramble>(s)));
+    }
+    const IndependenceReport report = testIndependence(tableStreams(contexts), 16, 1);
+    const IndependenceReport exact = testIndependence(exactlyShuffledStreams(domains), 16, 1);
+    EXPECT_NEAR(report.correlationSpread / exact.correlationSpread, 1, 0.1);
+    EXPECT_NEAR(report.meanChiSquare / exact.meanChiSquare, 1, 0.03);
+    EXPECT_LT(std::fabs(report.worst[0].correlation), 0.15);
+    EXPECT_LT(report.worst[0].chiSquare, 1.5 * exact.worst[0].chiSquare);
+}
+
+TEST(Independence, ConstantCoordinatesSayNothing) {
+    const UnitPoints constant = makeUnitPoints(64, 1, [](std::size_t, unsigned) { return 0.25; });
+    const CoordinatePair pair =
+        testIndependence({{"a", constant}, {"b", randomUnitPoints(64, 1, 1)}}, 2, 1).worst.front();
+    EXPECT_EQ(pair.correlation, 0);
+    EXPECT_EQ(pair.chiSquare, 1);
+    EXPECT_EQ(pair.probability(), 1);
+}
+
+TEST(Independence, RejectsWhatItCannotDo) {
+    const auto points = [](std::size_t count) { return randomUnitPoints(count, 1, 1); };
+    EXPECT_THROW(testIndependence({{"a", points(8)}}, 2, 1), PointError);
+    EXPECT_THROW(testIndependence({{"a", points(8)}, {"b", points(9)}}, 2, 1), PointError);
+    EXPECT_THROW(testIndependence({{"a", points(2)}, {"b", points(2)}}, 2, 1), PointError);
+    EXPECT_THROW(testIndependence({{"a", points(8)}, {"b", points(8)}}, 1, 1), PointError);
+    EXPECT_THROW(testIndependence({{"a", points(8)}, {"b", points(8)}}, 1025, 1), PointError);
+}
+
+TEST(Independence, UsualGridLeavesEightPointsACell) {
+    EXPECT_EQ(usualGridSide(3), 2u);
+    EXPECT_EQ(usualGridSide(127), 2u);
+    EXPECT_EQ(usualGridSide(128), 4u);
+    EXPECT_EQ(usualGridSide(4096), 16u);
+    EXPECT_EQ(usualGridSide(1 << 20), 32u);
+}
+
+} // namespace
+} // namespace wellstrat

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "measures.h"
+
+#include "wellstrat/analysis/nets.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+
+namespace wellstrat::cli {
+namespace {
+
+constexpr unsigned kPairBins = 48;
+constexpr std::size_t kWorstPairs = 5;
+/// Steps of the search for the star discrepancy in 3D, which takes some seconds for them.
+constexpr std::size_t kStarWork = std::size_t{1} << 21;
+/// Values that the periodograms of all projections may have.
+constexpr std::size_t kSpectrumValues = std::size_t{1} << 24;
+
+bool isPowerOfTwo(std::size_t n) { return (n & (n - 1)) == 0; }
+
+/// All projections with `size` coordinates.
+std::vector<Projection> projections(unsigned dims, unsigned size) {
+    std::vector<Projection> result{{}};
+    for (unsigned k = 0; k < size; ++k) {
+        std::vector<Projection> longer;
+        for (const Projection& shorter : result) {
+            for (unsigned d = shorter.empty() ? 0 : shorter.back() + 1; d < dims; ++d) {
+                longer.push_back(shorter);
+                longer.back().push_back(d);
+            }
+        }
+        result = std::move(longer);
+    }
+    return result;
+}
+
+/// All of them up to the dimensions that nets.h takes, else those in one and two dimensions.
+std::vector<Projection> netProjections(unsigned dims) {
+    std::vector<Projection> result;
+    for (unsigned size = 1; size <= (dims <= PointSet::kMaxDimensions ? dims : 2); ++size) {
+        for (Projection& projection : projections(dims, size)) {
+            result.push_back(std::move(projection));
+        }
+    }
+    return result;
+}
+
+PointSet netPoints(const UnitPoints& points, const Projection& projection) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < points.count(); ++i) {
+        for (const unsigned d : projection) values.push_back(points.coordinate(d)[i]);
+    }
+    return PointSet::fromFloats(values.data(), points.count(),
+                                static_cast<unsigned>(projection.size()));
+}
+
+void measureNet(const UnitPoints& points, NetQuality& net) {
+    const PointSet set = netPoints(points, net.projection);
+    net.t = tValue(set);
+    if (set.dims() > 3) return;
+    if (set.count() <= kMaxSquarePoints) net.sequenceT = tValueOfSequence(set);
+    if (set.countLog2() % 2 == 0) net.holdsBase4Boxes = checkNet(set, 0, NetBase::four).holds();
+}
+
+int maxFrequencyFor(std::size_t count, std::size_t planes) {
+    const auto values = [&](int frequency) {
+        const auto highest = static_cast<std::size_t>(frequency);
+        return planes * (2 * highest + 1) * (highest + 1);
+    };
+    int frequency = usualMaxFrequency(count);
+    while (values(frequency) > kSpectrumValues) frequency /= 2;
+    return frequency;
+}
+
+void measureSpectrum(const MeasuredSet& set, PlaneSpectrum& spectrum) {
+    for (std::size_t r = 0; r < set.realizations; ++r) {
+        spectrum.periodogram.add(set.points(r).projection(spectrum.projection));
+    }
+    spectrum.radial = radialSpectrum(spectrum.periodogram);
+    spectrum.peak = highestPeak(spectrum.periodogram);
+}
+
+using Tasks = std::vector<std::function<void()>>;
+
+void addNetTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
+    if (!isPowerOfTwo(points.count())) return;
+    for (Projection& projection : netProjections(points.dims())) {
+        result.nets.push_back({std::move(projection), 0, {}, {}});
+    }
+    for (NetQuality& net : result.nets) tasks.push_back([&] { measureNet(points, net); });
+}
+
+void addDiscrepancyTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
+    if (points.count() <= kMaxSquarePoints) {
+        for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
+            tasks.push_back([&, k] { result.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); });
+        }
+    }
+    if (points.dims() <= kMaxStarDimensions) {
+        tasks.push_back([&] { result.star = starDiscrepancy(points, kStarWork / points.count()); });
+    }
+}
+
+void addGeometryTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
+    tasks.push_back([&] { result.onCube = nearestDistances(points, Topology::cube); });
+    tasks.push_back([&] { result.onTorus = nearestDistances(points, Topology::torus); });
+    if (points.dims() > kMaxPairDimensions || points.count() < 2) return;
+    tasks.push_back([&] {
+        const double range = usualPairRange(points.count(), points.dims());
+        result.pairs = pairCorrelation(points, range, kPairBins);
+    });
+}
+
+void addSpectrumTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
+    const std::vector<Projection> planes = projections(result.dims, 2);
+    for (const Projection& plane : planes) {
+        result.spectra.push_back(
+            {plane, Periodogram(maxFrequencyFor(result.count, planes.size())), {}, {}});
+    }
+    for (PlaneSpectrum& spectrum : result.spectra) {
+        tasks.push_back([&] { measureSpectrum(set, spectrum); });
+    }
+}
+
+void addIndependenceTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
+    if (result.count < 3) return;
+    for (const auto& [name, streams] : set.families) {
+        FamilyIndependence family{name, {}, usualGridSide(result.count), {}};
+        for (const SampleStream& stream : streams) family.streams.push_back(stream.name);
+        result.independence.push_back(std::move(family));
+    }
+    for (std::size_t f = 0; f < result.independence.size(); ++f) {
+        tasks.push_back([&, f] {
+            FamilyIndependence& family = result.independence[f];
+            family.report = testIndependence(set.families[f].second, family.gridSide, kWorstPairs);
+        });
+    }
+}
+
+} // namespace
+
+std::string projectionName(const Projection& projection, unsigned dims) {
+    std::string name;
+    for (const unsigned d : projection) {
+        if (!name.empty()) name += ", ";
+        name += dims <= 3 ? std::string(1, "xyz"[d]) : fmt::format("x{}", d + 1);
+    }
+    return projection.size() == 1 ? name : "(" + name + ")";
+}
+
+Measures measure(const MeasuredSet& set) {
+    const UnitPoints points = set.points(0);
+    Measures result{};
+    result.count = points.count();
+    result.realizations = set.realizations;
+    result.dims = points.dims();
+    Tasks tasks;
+    addDiscrepancyTasks(points, result, tasks);
+    addSpectrumTasks(set, result, tasks);
+    addNetTasks(points, result, tasks);
+    addGeometryTasks(points, result, tasks);
+    addIndependenceTasks(set, result, tasks);
+    tbb::parallel_for_each(tasks, [](const std::function<void()>& task) { task(); });
+    return result;
+}
+
+} // namespace wellstrat::cli

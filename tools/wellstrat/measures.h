@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// All measures of a point set, taken at once.
+
+#pragma once
+
+#include "wellstrat/analysis/discrepancy.h"
+#include "wellstrat/analysis/geometry.h"
+#include "wellstrat/analysis/independence.h"
+#include "wellstrat/analysis/spectrum.h"
+#include "wellstrat/analysis/unit_points.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+
+/// The measures that take longest are left out beyond this: L2 discrepancies, whose time grows with
+/// the square of the number of points, and t of all aligned blocks.
+constexpr std::size_t kMaxSquarePoints = std::size_t{1} << 17;
+
+/// What to measure.
+struct MeasuredSet {
+    /// The points of a realization in [0, realizations), all alike in number and dimensions. Pure;
+    /// called in several threads at once. Spectra are the mean of all, the rest is of the first.
+    std::function<UnitPoints(std::size_t)> points;
+    std::size_t realizations;
+    /// Streams that ought to be independent, by what tells them apart, such as "patterns".
+    std::vector<std::pair<std::string, std::vector<SampleStream>>> families;
+};
+
+using Projection = std::vector<unsigned>;
+
+/// "(x, y)", or "(x1, x4)" if there are more than three dimensions.
+std::string projectionName(const Projection& projection, unsigned dims);
+
+/// The quality of a projection as a net in base 2.
+struct NetQuality {
+    Projection projection;
+    unsigned t;
+    std::optional<unsigned> sequenceT;   ///< of all aligned blocks; up to three dimensions
+                                         ///< and kMaxSquarePoints
+    std::optional<bool> holdsBase4Boxes; ///< up to three dimensions, powers of four points
+};
+
+struct NamedL2 {
+    const char* name;
+    L2Kind kind;
+};
+constexpr std::array<NamedL2, 5> kL2Kinds{{{"star", L2Kind::star},
+                                           {"centered", L2Kind::centered},
+                                           {"wrap_around", L2Kind::wrapAround},
+                                           {"mixture", L2Kind::mixture},
+                                           {"modified", L2Kind::modified}}};
+
+struct PlaneSpectrum {
+    Projection projection;
+    Periodogram periodogram;
+    RadialSpectrum radial;
+    SpectralPeak peak;
+};
+
+struct FamilyIndependence {
+    std::string name;
+    std::vector<std::string> streams; ///< their names
+    unsigned gridSide;
+    IndependenceReport report;
+};
+
+/// What was found. Empty or without a value: not there for this number of points or dimensions.
+struct Measures {
+    std::size_t count, realizations;
+    unsigned dims;
+    std::vector<NetQuality> nets;
+    std::array<std::optional<double>, kL2Kinds.size()> l2;
+    std::optional<StarBounds> star;
+    NearestDistances onCube, onTorus;
+    std::optional<PairCorrelation> pairs;
+    std::vector<PlaneSpectrum> spectra;
+    std::vector<FamilyIndependence> independence;
+};
+
+/// Takes all measures, on all cores. The same whatever their number.
+Measures measure(const MeasuredSet& set);
+
+} // namespace wellstrat::cli

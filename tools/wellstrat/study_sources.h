@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The generators that a study can compare.
+
+#pragma once
+
+#include "study_plan.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+
+/// A name that --generators accepts.
+struct StudySourceKind {
+    std::string name;
+    std::string description;
+    std::function<PointSourcePtr()> make;
+};
+
+/// All of them, but for file:PATH.
+std::vector<StudySourceKind> studySourceKinds();
+
+/// The generators of GSL and Boost; none of a library that this build does not have.
+std::vector<StudySourceKind> librarySourceKinds();
+
+/// The sources with these names. "file:PATH" is a file of points. Throws CliError.
+std::vector<StudySource> makeStudySources(const std::vector<std::string>& names);
+
+} // namespace wellstrat::cli
