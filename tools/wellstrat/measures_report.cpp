@@ -2,6 +2,7 @@
 
 #include "measures_report.h"
 
+#include "lines.h"
 #include "versions.h"
 
 #include <fmt/format.h>
@@ -16,18 +17,9 @@ namespace wellstrat::cli {
 namespace {
 
 /// Sections of lines, with an empty line between them.
-class Report {
+class Report : public Lines {
 public:
     void section(const char* title) { line("\n{}", title); }
-    template <typename... T>
-    void line(fmt::format_string<T...> format, T&&... values) {
-        fmt::format_to(std::back_inserter(text_), format, std::forward<T>(values)...);
-        text_ += '\n';
-    }
-    std::string take() { return std::move(text_); }
-
-private:
-    std::string text_;
 };
 
 std::string coordinateName(const FamilyIndependence& family, std::size_t stream, unsigned dim,
