@@ -4,6 +4,7 @@
 import array
 import ast
 import os
+import pty
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,13 @@ PROGRAM = os.environ["WELLSTRAT"]
 
 class CliTest(unittest.TestCase):
     """Runs the program in an empty directory of its own."""
+
+    def open_terminal(self):
+        """The two ends of a pseudo-terminal; skips the test on a machine without any."""
+        try:
+            return pty.openpty()
+        except OSError as error:
+            self.skipTest(f"no pseudo-terminal: {error}")
 
     def setUp(self):
         directory = tempfile.TemporaryDirectory()

@@ -2,7 +2,6 @@
 """Files appear complete or not at all, under any name; terminals get text only."""
 
 import os
-import pty
 import resource
 import signal
 import stat
@@ -69,7 +68,7 @@ class OutputTest(CliTest):
                 self.assert_fails(*arguments, stdout=full, mentions="standard output")
 
     def test_no_binary_on_a_terminal(self):
-        controller, terminal = pty.openpty()
+        controller, terminal = self.open_terminal()
         try:
             self.assert_fails(*SAMPLE, "--format", "npy", stdout=terminal, mentions="-o")
             self.assertEqual(self.run_program(*SAMPLE, stdout=terminal).returncode, 0)

@@ -3,7 +3,6 @@
 
 import json
 import os
-import pty
 import subprocess
 import unittest
 
@@ -40,7 +39,7 @@ class VerifyTest(CliTest):
         self.assertGreater(intervals("0..3"), intervals("383..383"))
 
     def test_progress_is_for_terminals(self):
-        controller, terminal = pty.openpty()
+        controller, terminal = self.open_terminal()
         process = subprocess.run([PROGRAM, *SHORT], stdout=subprocess.PIPE, stderr=terminal,
                                  check=False, timeout=200)
         os.close(terminal)
