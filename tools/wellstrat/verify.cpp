@@ -6,6 +6,7 @@
 #include "errors.h"
 #include "options.h"
 #include "output_file.h"
+#include "progress.h"
 #include "versions.h"
 #include "wellstrat/analysis/certificate.h"
 #include "wellstrat/tables.h"
@@ -17,8 +18,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 namespace wellstrat::cli {
 namespace {
@@ -60,42 +59,17 @@ TableRange parseTables(const std::string& text) {
     return {static_cast<unsigned>(first), static_cast<unsigned>(last)};
 }
 
-/// Shows the share of the work done on standard error, if that is a terminal.
-class Progress {
-public:
-    explicit Progress(const char* label) : label_(label) {}
-    ~Progress() {
-        if (percent_ >= 0) fmt::print(stderr, "\r\x1b[K");
-    }
-    Progress(const Progress&) = delete;
-    Progress& operator=(const Progress&) = delete;
-
-    CertificateProgress callback() {
-        if (isatty(STDERR_FILENO) == 0) return {};
-        return [this](double share) { show(static_cast<int>(100 * share)); };
-    }
-
-private:
-    void show(int percent) {
-        if (percent == percent_) return;
-        percent_ = percent;
-        fmt::print(stderr, "\rchecking {}: {} %", label_, percent);
-    }
-
-    const char* label_;
-    int percent_ = -1;
-};
-
 using Certificate = std::vector<CertificateLine>;
 
 Certificate certify(TableRange range, unsigned patterns) {
     Certificate certificate;
     {
-        Progress progress("tables");
-        certificate = certifyTables(range.first, range.last, progress.callback());
+        ProgressBar bar("checking tables:");
+        certificate = certifyTables(range.first, range.last, [&](double done) { bar.show(done); });
     }
-    Progress progress("patterns");
-    const Certificate users = certifyPatterns(patterns, kPatternSeed, progress.callback());
+    ProgressBar bar("checking patterns:");
+    const Certificate users =
+        certifyPatterns(patterns, kPatternSeed, [&](double done) { bar.show(done); });
     certificate.insert(certificate.end(), users.begin(), users.end());
     return certificate;
 }
