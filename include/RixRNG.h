@@ -23,8 +23,8 @@
 /// makes their samples. Small; copy it freely. The arrays and the generator must outlive it.
 ///
 /// Points are numbered from 0; an index i must be below numPts, a count n at most numPts: neither
-/// is checked. A batch of 0 points is valid. Nothing here allocates or throws, but the very first
-/// draw of a process builds the tables (see wellstrat::buildTables). One object must not be used
+/// is checked. A batch of 0 points is valid. Nothing here allocates or throws, but the first RixRNG
+/// of a process builds the tables (see wellstrat::buildTables). One object must not be used
 /// by two threads at once if one of them generates; different objects over different arrays may.
 class RixRNG {
 public:
@@ -46,7 +46,9 @@ public:
 
     /// A view of contexts that may be filled in before or after.
     RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen = nullptr)
-        : sampleCtxArray(contexts), numPts(numPoints), generator(gen) {}
+        : sampleCtxArray(contexts), numPts(numPoints), generator(gen) {
+        wellstrat::tables();
+    }
 
     /// The same with the parent's generator. The contexts are left as they are, for when the points
     /// differ from the parent's in number or order.
@@ -83,17 +85,17 @@ public:
     float DrawSample1D(unsigned i) const {
         const SampleCtx& sc = sampleCtxArray[i];
         return generator ? generator->Sample1D(sc, i)
-                         : wellstrat::sample1D(sc.patternid, sc.sampleid);
+                         : wellstrat::sample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
     }
     RtFloat2 DrawSample2D(unsigned i) const {
         const SampleCtx& sc = sampleCtxArray[i];
         return generator ? generator->Sample2D(sc, i)
-                         : wellstrat::sample2D(sc.patternid, sc.sampleid);
+                         : wellstrat::sample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
     }
     RtFloat3 DrawSample3D(unsigned i) const {
         const SampleCtx& sc = sampleCtxArray[i];
         return generator ? generator->Sample3D(sc, i)
-                         : wellstrat::sample3D(sc.patternid, sc.sampleid);
+                         : wellstrat::sample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
     }
 
     /// The same, and then the point's sampleid is incremented.

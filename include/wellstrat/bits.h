@@ -23,13 +23,13 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseBits(uint32_t x) {
 
 namespace detail {
 
-/// reverseBits of one byte, for all of them: 256 bytes that stay in the cache, where arithmetic
-/// would cost a draw 8 % of its time.
+/// reverseBits of one byte, for all of them: 1 KiB that stays in the cache, where arithmetic would
+/// cost a draw 8 % of its time.
 struct ReversedBytes {
-    uint8_t of[256];
+    uint32_t of[256];
 
     constexpr ReversedBytes() : of() {
-        for (uint32_t i = 0; i < 256; ++i) of[i] = static_cast<uint8_t>(reverseBits(i) >> 24);
+        for (uint32_t i = 0; i < 256; ++i) of[i] = reverseBits(i);
     }
 };
 
@@ -37,14 +37,17 @@ inline constexpr ReversedBytes kReversedBytes;
 
 } // namespace detail
 
-/// The low 8 bits of `x` in opposite order, the others dropped.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseByte(uint32_t x) {
+/// reverseBits of the low 8 bits of `x`: bits 24 to 31.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseLowByte(uint32_t x) {
 #if defined(__CUDA_ARCH__)
-    return reverseBits(x) >> 24;
+    return reverseBits(x & 0xffu);
 #else
     return detail::kReversedBytes.of[x & 0xffu];
 #endif
 }
+
+/// The low 8 bits of `x` in opposite order, the others dropped.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseByte(uint32_t x) { return reverseLowByte(x) >> 24; }
 
 /// Maps a uniform word to [0, n), n <= 512, by its upper 23 bits and without a division or a 64-bit
 /// product: floor(x / 2^9 * n / 2^23). No result is likelier than another by more than n / 2^23.

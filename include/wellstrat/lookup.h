@@ -46,30 +46,30 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOfBlock(uint32_t seed, uint32_t bl
 /// Invertible Mappings"; Laine and Karras 2011, section 3.1, use it for scrambling). The number of
 /// the group stands below these bits and so takes part in every swap:
 ///
-///     r    | sampleid bits 0 1 2 3 4 5 6 7 | sampleid bits 17 to 8 |
-///     bit   17                           10 9                     0
+///     r    | sampleid bits 0 1 2 3 4 5 6 7 |      0      | sampleid bits 17 to 8 |      0      |
+///     bit   31                           24 23         18 17                    8 7           0
 ///
 /// That each single swap is fair and that any two, and any four, are independent, within a group
 /// and between groups, is tested (tests/statistical/shuffle_test.cpp). Cheaper versions fail
 /// there, and so do swaps that are shared by nodes of the tree.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t shuffledPlace(uint32_t seed, uint32_t sampleid) {
-    uint32_t r = (reverseByte(sampleid) << 10) | (sampleid >> 8);
-    r += (seed * 0xa54ff53bu) >> 14; // sqrt(7)
-    r *= seed | 1u;
+    uint32_t r = reverseLowByte(sampleid) | (sampleid & ~(kGroupSize - 1));
+    r += seed;
+    r *= 2 * seed + 1;
     r ^= r * 0x3d20adeau; // multipliers of Vegdahl's hash for the same purpose,
     r ^= r * 0x05526c56u; // https://psychopath.io/post/2021_01_30_building_a_better_lk_hash
-    r ^= r * 0x53a22864u;
-    return (r >> 10) & (kGroupSize - 1);
+    return r >> 24;
 }
 
 /// Where the point of a sample lies in the tables. `sampleid` is below kStratifiedSamples.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sampleOffset(uint32_t seed, uint32_t sampleid) {
-    const uint32_t group = (sampleid % kTableSize) / kGroupSize;
+    const uint32_t groupStart = sampleid % kTableSize & ~(kGroupSize - 1);
     const uint32_t table = tableOfBlock(seed, sampleid / kTableSize);
-    return (group * kTableCount + table) * kGroupSize + shuffledPlace(seed, sampleid);
+    return groupStart * kTableCount + table * kGroupSize + shuffledPlace(seed, sampleid);
 }
 
-/// What is XORed to a coordinate of all samples of a pattern.
+/// What is XORed to a coordinate of all samples of a pattern. The multipliers are fractional parts
+/// of square roots of primes, made odd: numbers that nobody has chosen.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t digitalShift(uint32_t seed, Coordinate coordinate) {
     switch (coordinate) {
     case Coordinate::x: return seed * 0x6a09e667u; // sqrt(2)
@@ -82,7 +82,7 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t digitalShift(uint32_t seed, Coordinate 
 WELLSTRAT_HOST_DEVICE inline Float2 tableSampleXY(const uint32_t* words, uint32_t seed,
                                                   uint32_t offset) {
     const uint32_t word = words[offset];
-    const uint32_t leaf = leafBits(offset);
+    const uint32_t leaf = leafBits(word, offset);
     return {toUnitFloat(tableX(word, leaf) ^ digitalShift(seed, Coordinate::x)),
             toUnitFloat(tableY(word, leaf) ^ digitalShift(seed, Coordinate::y))};
 }
@@ -94,6 +94,10 @@ WELLSTRAT_HOST_DEVICE inline float tableSampleZ(const uint32_t* words, uint32_t 
 namespace detail {
 
 // Samples beyond the first 4096 of a pattern.
+
+WELLSTRAT_HOST_DEVICE constexpr bool isLater(uint32_t sampleid) {
+    return WELLSTRAT_UNLIKELY(sampleid >= kTableSize);
+}
 
 WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline float
 laterSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
@@ -123,7 +127,7 @@ laterSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
 /// find out.
 WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patternid,
                                             uint32_t sampleid) {
-    if (sampleid >= kTableSize) return detail::laterSample1D(words, patternid, sampleid);
+    if (detail::isLater(sampleid)) return detail::laterSample1D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleZ(words, seed, sampleOffset(seed, sampleid));
 }
@@ -131,7 +135,7 @@ WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patt
 /// The same for (x, y) of the point.
 WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
-    if (sampleid >= kTableSize) return detail::laterSample2D(words, patternid, sampleid);
+    if (detail::isLater(sampleid)) return detail::laterSample2D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXY(words, seed, sampleOffset(seed, sampleid));
 }
@@ -139,7 +143,7 @@ WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t pat
 /// The same for the whole point.
 WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
-    if (sampleid >= kTableSize) return detail::laterSample3D(words, patternid, sampleid);
+    if (detail::isLater(sampleid)) return detail::laterSample3D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     const uint32_t offset = sampleOffset(seed, sampleid);
     const Float2 xy = tableSampleXY(words, seed, offset);

@@ -18,9 +18,12 @@
 #define WELLSTRAT_API __attribute__((visibility("default")))
 #endif
 
-/// On functions for rare cases, to keep their code out of their callers'.
+/// On functions for rare cases, to keep their code out of their callers', and around the conditions
+/// of these cases.
 #if defined(__GNUC__) && !defined(__CUDACC__)
 #define WELLSTRAT_NOINLINE __attribute__((noinline))
+#define WELLSTRAT_UNLIKELY(condition) __builtin_expect(condition, false)
 #else
 #define WELLSTRAT_NOINLINE
+#define WELLSTRAT_UNLIKELY(condition) (condition)
 #endif

@@ -12,8 +12,8 @@
 //
 //     bit      31 ......... 20 19 .......... 8 7 .. 0
 //     xy word  x, 12 digits    y, 12 digits     zero     one load gives a 2D point
-//     x        x, 12 digits    y's digits ^ hash         word ^ (leaf >> 12)
-//     y        y, 12 digits    hash                      (word << 12) ^ (leaf & 0xfffff)
+//     x        x, 12 digits    y's digits ^ hash         word ^ leaf
+//     y        y, 12 digits    hash                      (word << 12) ^ leaf
 //     z word   z, 12 digits    hash             zero     the value itself
 //
 // Order in memory: the same 256 samples of all tables lie side by side, since a renderer draws
@@ -52,27 +52,20 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOffset(uint32_t table, uint32_t in
     return ((index / kGroupSize) * kTableCount + table) * kGroupSize + reverseByte(index);
 }
 
-/// Random bits for the digits after the 12th of x, from bits 31..20, and y, from bits 19..8, of the
-/// point at `offset`. The multipliers, here and in lookup.h, are fractional parts of square roots
-/// of primes, made odd: numbers that nobody has chosen.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBits(uint32_t offset) {
-    uint32_t bits = offset * 0x510e527fu; // sqrt(11)
-    bits ^= bits >> 15;
-    return bits * 0x9b05688du; // sqrt(13)
+/// Random bits for digits 13 to 24 of the point at `offset` with this xy word, where these digits
+/// are in a value: bits 19..8. The bits below mean nothing.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBits(uint32_t xyWord, uint32_t offset) {
+    return (xyWord * (2 * offset + 1)) >> 12;
 }
 
-/// Digits 13 to 24 of z of that point, where they are in the value: bits 19..8.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBitsZ(uint32_t offset) {
-    return (leafBits(offset) * 0x1f83d9abu >> 12) & 0x000fff00u; // sqrt(17)
-}
-
-/// The values of x and y as fractions of 2^32, from the xy word of a point and its leaf bits. Bits
+/// The values of x and y as fractions of 2^32, from the xy word of a point and its leaf bits. In x
+/// the leaf bits lie over the stored digits of y, so that the low digits of x and y differ. Bits
 /// below the 24th digit mean nothing.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableX(uint32_t xyWord, uint32_t leaf) {
-    return xyWord ^ (leaf >> 12);
+    return xyWord ^ leaf;
 }
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableY(uint32_t xyWord, uint32_t leaf) {
-    return (xyWord << 12) ^ (leaf & 0x000fffffu);
+    return (xyWord << 12) ^ leaf;
 }
 
 namespace detail {
@@ -80,10 +73,13 @@ namespace detail {
 /// Null until the tables are built. `tables()` is how to read it.
 extern WELLSTRAT_API std::atomic<const uint32_t*> tableWords;
 
+/// The same, to be read by threads that have seen the tables built.
+extern WELLSTRAT_API const uint32_t* builtTables;
+
 } // namespace detail
 
 /// Builds the tables if that has not been done, which takes some milliseconds, and returns them.
-/// Call it at start-up to keep that time out of the first draw. Any number of threads may call at
+/// Call it at start-up to keep that time out of the first use. Any number of threads may call at
 /// once; all return when the tables are ready. Throws std::bad_alloc without memory (12 MiB).
 WELLSTRAT_API const uint32_t* buildTables();
 
@@ -94,6 +90,10 @@ inline const uint32_t* tables() {
     return words != nullptr ? words : buildTables();
 }
 
+/// The same for threads that have called it or `buildTables()` before: without a check, and so that
+/// compilers may keep it in a register over a loop of draws.
+inline const uint32_t* builtTables() { return detail::builtTables; }
+
 /// One coordinate of sample `index` in [0, kTableSize) of `table` in [0, kTableCount), as a
 /// fraction of 2^32 and a multiple of 2^-24. Out of range is undefined.
 WELLSTRAT_API uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate);
@@ -101,9 +101,10 @@ WELLSTRAT_API uint32_t tableValue(unsigned table, unsigned index, Coordinate coo
 /// The memory that the tables take once they are built, in bytes.
 WELLSTRAT_API std::size_t tableBytes();
 
-/// The seed of the nested uniform scrambling of one coordinate of a table.
+/// The seed of the nested uniform scrambling of one coordinate of a table. The constant makes the
+/// 384 tables together as good as infinitely many (docs/decisions/0009-table-seed.md).
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableSeed(unsigned table, Coordinate coordinate) {
-    return hashPair(0x77656c6cu /* "well" */, table * 4 + static_cast<unsigned>(coordinate));
+    return hashPair(0xbaa6bad2u, table * 4 + static_cast<unsigned>(coordinate));
 }
 
 } // namespace wellstrat

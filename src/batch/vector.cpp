@@ -43,29 +43,28 @@ HWY_INLINE V xorShifted(V x) {
     return hn::Xor(x, hn::ShiftRight<kShift>(x));
 }
 
-HWY_INLINE V mixBits(V x) {
-    x = hn::Mul(xorShifted<16>(x), constant(0x21f0aaadu));
-    x = hn::Mul(xorShifted<15>(x), constant(0x735a2d97u));
-    return xorShifted<15>(x);
+/// The rounds of mixBits and of permuteBits.
+HWY_INLINE V mixBits(V x, V multiplier) {
+    x = hn::Mul(xorShifted<16>(x), constant(detail::kFirstMultiplier));
+    return xorShifted<15>(hn::Mul(xorShifted<15>(x), multiplier));
 }
 
-/// `first` and `second` are the words of a PermutationKey.
-HWY_INLINE V permuteBits(V x, V first, V second) {
-    return mixBits(hn::Add(mixBits(hn::Xor(x, first)), second));
-}
+HWY_INLINE V mixBits(V x) { return mixBits(x, constant(detail::kSecondMultiplier)); }
 
 HWY_INLINE V permuteBits(V x, PermutationKey key) {
-    return permuteBits(x, constant(key.first), constant(key.second));
+    return mixBits(hn::Xor(x, constant(key.mask)), constant(key.multiplier));
 }
 
 HWY_INLINE V permuteBitsByKey(V x, V key) {
-    const V first = mixBits(hn::Add(key, constant(detail::kGolden)));
-    return permuteBits(x, first, mixBits(hn::Add(first, constant(detail::kGolden))));
+    const V mask = mixBits(hn::Add(key, constant(detail::kGolden)));
+    const V word = mixBits(hn::Add(mask, constant(detail::kGolden)));
+    return mixBits(hn::Xor(x, mask), hn::Xor(hn::And(word, constant(detail::kKeyedBits)),
+                                             constant(detail::kSecondMultiplier)));
 }
 
 HWY_INLINE V hashPair(V a, V b) { return mixBits(hn::Add(permuteBitsByKey(b, a), b)); }
 
-HWY_INLINE V reverseByte(V x) {
+HWY_INLINE V reverseLowByte(V x) {
     alignas(16) static constexpr uint8_t kReversed[16] = {0, 8, 4, 12, 2, 10, 6, 14,
                                                           1, 9, 5, 13, 3, 11, 7, 15};
     constexpr Bytes bytes;
@@ -76,7 +75,7 @@ HWY_INLINE V reverseByte(V x) {
     };
     const V low = reversed(hn::And(x, nibble));
     const V high = reversed(hn::And(hn::ShiftRight<4>(x), nibble));
-    return hn::Or(hn::ShiftLeft<4>(low), high);
+    return hn::Or(hn::ShiftLeft<28>(low), hn::ShiftLeft<24>(high));
 }
 
 HWY_INLINE V patternSeed(V patternid) {
@@ -84,22 +83,21 @@ HWY_INLINE V patternSeed(V patternid) {
 }
 
 HWY_INLINE V shuffledPlace(V seed, V sampleid) {
-    V r = hn::Or(hn::ShiftLeft<10>(reverseByte(sampleid)), hn::ShiftRight<8>(sampleid));
-    r = hn::Add(r, hn::ShiftRight<14>(hn::Mul(seed, constant(0xa54ff53bu))));
-    r = hn::Mul(r, hn::Or(seed, constant(1)));
+    V r = hn::Or(reverseLowByte(sampleid), hn::And(sampleid, constant(~(kGroupSize - 1))));
+    r = hn::Add(r, seed);
+    r = hn::Mul(r, hn::Add(hn::Add(seed, seed), constant(1)));
     r = hn::Xor(r, hn::Mul(r, constant(0x3d20adeau)));
     r = hn::Xor(r, hn::Mul(r, constant(0x05526c56u)));
-    r = hn::Xor(r, hn::Mul(r, constant(0x53a22864u)));
-    return hn::And(hn::ShiftRight<10>(r), constant(kGroupSize - 1));
+    return hn::ShiftRight<24>(r);
 }
 
 HWY_INLINE V sampleOffset(V seed, V sampleid) {
     const V block = hn::ShiftRight<kTableSizeLog2>(sampleid);
     const V word = hn::Add(seed, hn::Mul(block, constant(kBlockStep)));
     const V table = hn::ShiftRight<23>(hn::Mul(hn::ShiftRight<9>(word), constant(kTableCount)));
-    const V group = hn::And(hn::ShiftRight<8>(sampleid), constant(15));
-    const V row = hn::Add(hn::Mul(group, constant(kTableCount)), table);
-    return hn::Add(hn::ShiftLeft<8>(row), shuffledPlace(seed, sampleid));
+    const V groupStart = hn::And(sampleid, constant(kTableSize - kGroupSize));
+    const V row = hn::Add(hn::Mul(groupStart, constant(kTableCount)), hn::ShiftLeft<8>(table));
+    return hn::Add(row, shuffledPlace(seed, sampleid));
 }
 
 HWY_INLINE V gather(const uint32_t* words, V offset) {
@@ -107,9 +105,9 @@ HWY_INLINE V gather(const uint32_t* words, V offset) {
     return hn::GatherIndex(kWords, words, hn::BitCast(indices, offset));
 }
 
-HWY_INLINE V leafBits(V offset) {
-    const V bits = hn::Mul(offset, constant(0x510e527fu));
-    return hn::Mul(xorShifted<15>(bits), constant(0x9b05688du));
+HWY_INLINE V leafBits(V xyWord, V offset) {
+    const V odd = hn::Add(hn::Add(offset, offset), constant(1));
+    return hn::ShiftRight<12>(hn::Mul(xyWord, odd));
 }
 
 HWY_INLINE F toUnitFloat(V v) {
@@ -138,9 +136,9 @@ HWY_INLINE V orRandom(V stratified, V patternid, V sampleid, Coordinate coordina
 HWY_INLINE void sampleXY(const uint32_t* words, V patternid, V sampleid, V seed, V offset, F& x,
                          F& y) {
     const V word = gather(words, offset);
-    const V leaf = leafBits(offset);
-    const V tableX = hn::Xor(word, hn::ShiftRight<12>(leaf));
-    const V tableY = hn::Xor(hn::ShiftLeft<12>(word), hn::And(leaf, constant(0x000fffffu)));
+    const V leaf = leafBits(word, offset);
+    const V tableX = hn::Xor(word, leaf);
+    const V tableY = hn::Xor(hn::ShiftLeft<12>(word), leaf);
     x = toUnitFloat(
         orRandom(shifted(tableX, seed, Coordinate::x), patternid, sampleid, Coordinate::x));
     y = toUnitFloat(

@@ -87,6 +87,13 @@ private:
     uint16_t flips_[kTableSize / 2];
 };
 
+/// Random bits for digits 13 to 24 of z of the point at `offset`: bits 19..8.
+uint32_t leafBitsZ(uint32_t offset) {
+    uint32_t bits = offset * 0x510e527fu;            // sqrt(11), see digitalShift
+    bits = (bits ^ bits >> 15) * 0x9b05688du;        // sqrt(13)
+    return (bits * 0x1f83d9abu >> 12) & 0x000fff00u; // sqrt(17)
+}
+
 void fillTable(unsigned table, const SobolStrata& sobol, uint32_t* words) {
     const StratumScrambling scrambleX(tableSeed(table, Coordinate::x));
     const StratumScrambling scrambleY(tableSeed(table, Coordinate::y));
@@ -113,11 +120,12 @@ const uint32_t* makeTables() {
 
 namespace detail {
 std::atomic<const uint32_t*> tableWords{nullptr};
+const uint32_t* builtTables = nullptr;
 } // namespace detail
 
 const uint32_t* buildTables() {
     // Never freed: a thread may still draw while the program ends.
-    static const uint32_t* const words = makeTables();
+    static const uint32_t* const words = detail::builtTables = makeTables();
     detail::tableWords.store(words, std::memory_order_release);
     return words;
 }
@@ -127,8 +135,8 @@ uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate) {
     const uint32_t offset = tableOffset(table, index);
     constexpr uint32_t digits1To24 = 0xffffff00u;
     switch (coordinate) {
-    case Coordinate::x: return tableX(words[offset], leafBits(offset)) & digits1To24;
-    case Coordinate::y: return tableY(words[offset], leafBits(offset)) & digits1To24;
+    case Coordinate::x: return tableX(words[offset], leafBits(words[offset], offset)) & digits1To24;
+    case Coordinate::y: return tableY(words[offset], leafBits(words[offset], offset)) & digits1To24;
     default: return words[kTablePoints + offset];
     }
 }

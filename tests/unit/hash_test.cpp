@@ -32,15 +32,15 @@ uint32_t undoXorShift(uint32_t x, unsigned shift) {
     return result;
 }
 
-uint32_t unmix(uint32_t x) {
-    x = undoXorShift(x, 15) * modularInverse(0x735a2d97u);
+uint32_t unmix(uint32_t x, uint32_t secondMultiplier) {
+    x = undoXorShift(x, 15) * modularInverse(secondMultiplier);
     x = undoXorShift(x, 15) * modularInverse(0x21f0aaadu);
     return undoXorShift(x, 16);
 }
 
-uint32_t unpermute(uint32_t x, PermutationKey key) {
-    return unmix(unmix(x) - key.second) ^ key.first;
-}
+uint32_t unmix(uint32_t x) { return unmix(x, 0x735a2d97u); }
+
+uint32_t unpermute(uint32_t x, PermutationKey key) { return unmix(x, key.multiplier) ^ key.mask; }
 
 TEST(Hash, MixBitsHasAnInverse) {
     for (uint32_t i = 0; i < kWords; ++i) {
