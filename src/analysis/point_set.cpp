@@ -2,8 +2,9 @@
 
 #include "wellstrat/analysis/point_set.h"
 
+#include "point_checks.h"
+
 #include <algorithm>
-#include <cstdio>
 
 namespace wellstrat {
 namespace {
@@ -24,12 +25,7 @@ unsigned log2OfCount(std::size_t count) {
 
 template <class Real>
 uint32_t fractionOf(Real value, std::size_t point, unsigned dim) {
-    if (!(value >= 0 && value < 1)) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.9g", static_cast<double>(value));
-        throw NetError("coordinate " + std::to_string(dim) + " of point " + std::to_string(point) +
-                       " is " + text + "; accepted are values in [0, 1)");
-    }
+    checkValue<NetError>(static_cast<double>(value), point, dim);
     // Scaling by a power of two is exact, the conversion rounds down.
     return static_cast<uint32_t>(value * static_cast<Real>(0x1p32));
 }
@@ -39,10 +35,7 @@ uint32_t fractionOf(uint32_t value, std::size_t, unsigned) { return value; }
 } // namespace
 
 PointSet::PointSet(std::size_t count, unsigned dims) : countLog2_(log2OfCount(count)) {
-    if (dims == 0 || dims > kMaxDimensions) {
-        throw NetError("the number of dimensions is " + std::to_string(dims) +
-                       "; accepted are 1 to " + std::to_string(kMaxDimensions));
-    }
+    checkDimensions<NetError>(dims, kMaxDimensions);
     coordinates_.resize(dims, std::vector<uint32_t>(count));
 }
 
@@ -72,10 +65,7 @@ PointSet PointSet::fromFloats(const double* values, std::size_t count, unsigned 
 PointSet PointSet::projection(const std::vector<unsigned>& dims) const {
     PointSet set(count(), static_cast<unsigned>(dims.size()));
     for (std::size_t d = 0; d < dims.size(); ++d) {
-        if (dims[d] >= this->dims()) {
-            throw NetError("coordinate " + std::to_string(dims[d]) +
-                           " does not exist; the points have " + std::to_string(this->dims()));
-        }
+        checkCoordinateExists<NetError>(dims[d], this->dims());
         set.coordinates_[d] = coordinates_[dims[d]];
     }
     return set;

@@ -2,14 +2,18 @@
 """`wellstrat analyze`: its numbers against SciPy's, its inputs, its refusals."""
 
 import array
+import csv
+import io
 import json
+import math
+import random
 import resource
 import shutil
 import struct
 import subprocess
 import unittest
 
-from support import PROGRAM, CliTest
+from support import PROGRAM, CliTest, read_npy
 from test_plot import png_size
 
 try:
@@ -142,6 +146,26 @@ class InputTest(AnalyzeTest):
             self.assertEqual(found.pop("subject"), "standard input")
             self.assertEqual(found, expected)
 
+    def test_realizations(self):
+        """Several files are the patterns of one array; spectra are the mean of both."""
+        names = ["0.npy", "1.npy", "2.npy"]
+        for pattern, name in enumerate(names):
+            self.output_of("sample", "--count", "64", "--pattern", str(pattern), "-o", name)
+        generator = self.analyze("--generator", "pmj", "--count", "64", "--realizations", "3")
+        files = self.analyze(*names)
+        self.assertEqual(files["subject"], "0.npy, 1.npy, 2.npy")
+        self.assertEqual(files["spectrum"], generator["spectrum"])
+        self.assertEqual(files["nets"], self.analyze(names[0])["nets"])
+        values = b"".join(read_npy(self.read(name))[2] for name in names)
+        array = self.measures_of("a.npy", npy("<f4", "(3, 64, 2)", values))
+        patterns, = array["independence"]
+        for part in ("nets", "discrepancy", "nearest", "pair_correlation", "spectrum"):
+            self.assertEqual(array[part], files[part], part)
+        self.assertEqual(patterns["family"], "patterns")
+        self.assertEqual(patterns["pairs"], 3 * 4)
+        for pair in patterns["worst"]:
+            self.assertRegex(pair["first"], r"\Aa.npy pattern [012] [xy]\Z")
+
     def test_generator_is_its_samples(self):
         self.output_of("sample", "--count", "64", "--dims", "3", "--pattern", "5", "-o", "a.npy")
         file = self.analyze("a.npy")
@@ -197,7 +221,10 @@ class RefusalTest(AnalyzeTest):
                 (npy("<f8", "(0, 2)", b""), "no points"),
                 (npy("<f8", "(2, 0)", b""), "0 dimensions"),
                 (npy("<f8", "()", two), "0 axes"),
-                (npy("<f8", "(1, 1, 2)", two), "3 axes"),
+                (npy("<f8", "(1, 1, 1, 2)", two), "4 axes"),
+                (npy("<f8", f"({MANY}, 1, 2)", two), "more than 16777216 points"),
+                (npy("<f8", f"(1, {MANY}, 2)", two), "more than 1048576 points"),
+                (npy("<f8", "(4097, 1, 1)", b"\0" * 8 * 4097), "more than 4096 patterns"),
                 (npy("<f8", f"({MANY}, 2)", two), "more than 1048576 points"),
                 (npy("<f8", "(99999999999999999999, 2)", two), "out of range"),
                 (npy("<f8", "(2, 1)", two)[:30], "ends within the NumPy header"),
@@ -219,12 +246,16 @@ class RefusalTest(AnalyzeTest):
 
     def test_bad_arguments(self):
         self.write("points.csv", CSV)
+        self.write("other.csv", "0.5 0.5\n")
         for arguments, mentions in (
                 ((), "--generator"),
                 (("missing.csv",), "cannot read 'missing.csv'"),
                 ((".",), "directory"),
                 (("points.csv", "--generator", "pmj"), "--generator"),
-                (("points.csv", "points.csv"), "points.csv"),
+                (("points.csv", "other.csv"), "'other.csv': has 1 points in 2 dimensions"),
+                (("points.csv", "--domains", "1,2"), "1 + 2 are not the 2 dimensions"),
+                (("points.csv", "--domains", "0,2"), "--domains"),
+                (("--generator", "pmj", "--domains", "1,1"), "--domains"),
                 (("--generator", "sobol"), "pmj, random"),
                 (("--generator", "pmj", "--dims", "4"), "1 to 3"),
                 (("--generator", "pmj", "--count", "0"), "from 1"),
@@ -245,10 +276,17 @@ class RefusalTest(AnalyzeTest):
         self.assertRegex(process.stderr.decode(), r"\Awellstrat: [^\n]*more than 1048576 points[^\n]*\n\Z")
         self.assert_fails("analyze", "/dev/zero", "--format", "raw", "--dims", "32",
                           mentions="more than 1048576 points", preexec_fn=little_memory)
+        with open(self.path("sparse.npy"), "wb") as file:
+            file.write(npy("<f8", f"({MANY}, 2)", b""))
+            file.truncate(MANY * 16)
+        for arguments in (("analyze", "sparse.npy"), ("study", "--generators", "file:sparse.npy")):
+            process = self.run_program(*arguments, preexec_fn=little_memory)
+            self.assertEqual((process.returncode, process.stdout), (2, b""))
+            self.assertRegex(process.stderr.decode(), "more than 1048576 points")
 
 
 class FaultTest(AnalyzeTest):
-    """Each fault is seen by the measure that exists to see it."""
+    """Each fault is seen by the measure that exists to see it, and not where there is none."""
 
     def sobol(self, faulty_column=None):
         """256 points of the first two Sobol' dimensions; a bit of a column may be flipped."""
@@ -267,9 +305,16 @@ class FaultTest(AnalyzeTest):
             points.append(tuple(value / 2**32 for value in point))
         return points
 
-    def measures(self, points):
-        text = "".join(" ".join(repr(value) for value in point) + "\n" for point in points)
-        return self.measures_of("points.txt", text)
+    def write_points(self, name, points):
+        return self.write(name, "".join(" ".join(repr(value) for value in point) + "\n"
+                                        for point in points))
+
+    def measures(self, points, *arguments):
+        return self.analyze(self.write_points("points.txt", points), *arguments)
+
+    def random_points(self, dims, seed=1):
+        numbers = random.Random(seed)
+        return [tuple(numbers.random() for _ in range(dims)) for _ in range(256)]
 
     def test_flipped_matrix_bit_by_t(self):
         self.assertEqual([net["t"] for net in self.measures(self.sobol())["nets"]], [0, 0, 0])
@@ -282,6 +327,75 @@ class FaultTest(AnalyzeTest):
         self.assertGreater(self.measures(points)["nearest"]["torus"]["minimum"], 0)
         nearest = self.measures(points + [points[100]])["nearest"]
         self.assertEqual((nearest["cube"]["minimum"], nearest["torus"]["minimum"]), (0, 0))
+
+    def test_duplicated_points_by_t_and_pair_correlation(self):
+        points = self.sobol()
+        pairs = [points[i // 2] for i in range(256)]
+        right, wrong = self.measures(points), self.measures(pairs)
+        self.assertEqual([net["t"] for net in wrong["nets"]], [1, 1, 1])
+        self.assertLess(right["pair_correlation"]["values"][0], 2)
+        self.assertGreater(wrong["pair_correlation"]["values"][0], 20)
+
+    def test_missing_scramble_by_peaks(self):
+        """The same points for each pattern, against scrambled points."""
+        names = [f"{k}.txt" for k in range(8)]
+        for pattern, name in enumerate(names):
+            self.output_of("sample", "--count", "256", "--pattern", str(pattern), "-o", name,
+                           "--format", "csv")
+        right = self.analyze(*names)
+        for name in names:
+            self.write_points(name, self.sobol())
+        wrong = self.analyze(*names)
+        peaks = [result["spectrum"]["projections"][0]["peak"]["power"] for result in (right, wrong)]
+        self.assertGreater(peaks[1], 5 * peaks[0])
+
+    def test_missing_scramble_by_independence(self):
+        for name in ("a.txt", "b.txt"):
+            self.write_points(name, self.random_points(2))
+        patterns, = self.analyze("a.txt", "b.txt")["independence"]
+        self.assertEqual(patterns["family"], "patterns")
+        worst = patterns["worst"][:2]
+        self.assertEqual({(pair["first"], pair["second"]) for pair in worst},
+                         {("a.txt x", "b.txt x"), ("a.txt y", "b.txt y")})
+        for pair in worst:
+            self.assertAlmostEqual(pair["correlation"], 1, delta=1e-9)
+
+    def test_missing_scramble_by_bias(self):
+        """In a study, patterns that are all the same have an error that is all bias."""
+        self.write_points("points.txt", self.sobol())
+        for generator, patterns in (("sobol", 4), ("file:points.txt", 1)):
+            row, = csv.DictReader(io.StringIO(self.output_of(
+                "study", "--generators", generator, "--integrands", "gaussian", "--counts", "64",
+                "--patterns", str(patterns), "-o", "-").decode()))
+            self.assertAlmostEqual(abs(float(row["bias"])) / float(row["rmse"]), 1, delta=1e-12)
+
+    def test_correlated_domains_by_independence(self):
+        points = self.random_points(5)
+        def domains(points):
+            family, = self.measures(points, "--domains", "2,2,1")["independence"]
+            self.assertEqual((family["family"], family["pairs"]), ("domains", 8))
+            return family["worst"]
+        self.assertGreater(domains(points)[0]["probability"], 1e-4)
+        wrong = domains([(a, b, c, (d + 4 * a) / 5, e) for a, b, c, d, e in points])
+        self.assertEqual((wrong[0]["first"], wrong[0]["second"]), ("domain 0 x1", "domain 1 x2"))
+        self.assertLess(wrong[0]["probability"], 1e-20)
+        self.assertGreater(wrong[1]["probability"], 1e-4)
+
+    def test_values_outside_by_name(self):
+        """1.0 and NaN are refused by each command that takes points, in every place and format."""
+        for bad in (1.0, math.nan, math.inf, -0.5):
+            points = self.sobol()
+            points[77] = (0.5, bad)
+            self.write_points("points.txt", points)
+            self.write("points.npy", npy("<f8", "(256, 2)", pack("<d", sum(points, ()))))
+            self.write("points.raw", pack("<f", sum(points, ())))
+            for name, place in (("txt", "line 78"), ("npy", "point 77"), ("raw", "point 77")):
+                mentions = f"{place}: {bad:g} is not in [0, 1)"
+                dims = ("--dims", "2") if name == "raw" else ()
+                self.assert_fails("analyze", f"points.{name}", *dims, mentions=mentions)
+                if name != "raw":
+                    self.assert_fails("study", "--generators", f"file:points.{name}", "--counts",
+                                      "4", "--patterns", "1", mentions=mentions)
 
     def test_lattice_by_its_peak(self):
         lattice = self.measures([(x / 16, y / 16) for x in range(16) for y in range(16)])

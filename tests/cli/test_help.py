@@ -8,17 +8,27 @@ import unittest
 
 from support import CliTest
 
-SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study")
+RENDERING = ("render", "merge", "compare")
+SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study", "report", *RENDERING)
 OPTIONS = {
     "sample": ("--dims", "--count", "--first", "--pattern", "--generator", "--format", "-o",
                "--plot", "--compare", "--keep-plot-files"),
     "verify": ("--tables", "--patterns", "--json"),
     "tables": ("--export", "--type"),
     "analyze": ("FILE", "--generator", "--count", "--dims", "--pattern", "--realizations",
-                "--format", "--type", "--json", "--plot", "--keep-plot-files"),
+                "--format", "--type", "--domains", "--json", "--plot", "--keep-plot-files"),
     "info": ("--json",),
     "study": ("--list", "--generators", "--integrands", "--counts", "--patterns", "--table",
               "--fit-from", "-o", "--plot", "--keep-plot-files", "--resume", "--save-every"),
+    "report": ("-o", "--generators", "--integrands", "--patterns", "--count", "--quick",
+               "--thorough", "--bench", "--keep-plot-files"),
+    "render": ("-o", "--spp", "--generator", "--size", "--depth", "--split", "--distrib",
+               "--time-limit", "--threads", "--seed", "--samples", "--checkpoint", "--save-every",
+               "--resume", "--noise", "--environment", "--camera", "--look-at", "--up", "--fov",
+               "--lens-radius", "--focus", "--list"),
+    "merge": ("-o",),
+    "compare": ("-o", "--generators", "--spp", "--reference", "--reference-spp", "--size",
+                "--keep-plot-files"),
 }
 
 
@@ -48,12 +58,18 @@ class HelpTest(CliTest):
 
     def test_examples_run(self):
         """Guards against examples that the options have left behind."""
+        for name, dims in (("pixel-0", 2), ("pixel-1", 2), ("paths", 5)):
+            with open(self.path(name + ".csv"), "w", encoding="ascii") as file:
+                file.write("".join(",".join(["0.25"] * dims) + "\n" for _ in range(8)))
         for name in SUBCOMMANDS:
             examples = self.examples_in(self.help_of(name))
             self.assertTrue(examples, name)
+            if name in RENDERING:
+                continue  # takes long
             for example in examples:
                 self.assertEqual(example[0], name)
-                if "--plot" in example or (name == "verify" and "--tables" not in example):
+                if "--plot" in example or name == "report" or (
+                        name == "verify" and "--tables" not in example):
                     continue  # needs gnuplot, which other tests do; or takes long
                 self.output_of(*example)
 

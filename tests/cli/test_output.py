@@ -5,9 +5,11 @@ import os
 import resource
 import signal
 import stat
+import subprocess
+import time
 import unittest
 
-from support import CliTest
+from support import PROGRAM, CliTest
 
 SAMPLE = ("sample", "--count", "100")
 SAFE_NAMES = ("with space", "quo'te", 'double"quote', "back`touch pwned`tick", "$(touch pwned)",
@@ -60,6 +62,20 @@ class OutputTest(CliTest):
         for name in ("points.csv", "points.npy"):
             self.assert_fails("sample", "--count", "100000", "-o", name, preexec_fn=small_files)
         self.assert_fails("tables", "--export", "tables.bin", preexec_fn=small_files)
+
+    def test_signals_leave_no_file(self):
+        """A long run, ended while it writes, leaves neither a part nor a temporary file."""
+        for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            process = subprocess.Popen([PROGRAM, "sample", "--count", "4000000000", "-o", "a.csv"],
+                                       cwd=self.directory, stderr=subprocess.PIPE)
+            deadline = time.monotonic() + 60
+            while not any(os.path.getsize(self.path(name)) for name in self.files()):
+                self.assertLess(time.monotonic(), deadline)
+                time.sleep(0.01)
+            process.send_signal(stop)
+            self.assertEqual(process.communicate(timeout=60)[1], b"")
+            self.assertEqual(process.returncode, -stop)
+            self.assertEqual(self.files(), [])
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full")
     def test_full_standard_output_is_an_error(self):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`wellstrat study`."""
 
+import contextlib
 import csv
 import io
 import json
@@ -120,18 +121,32 @@ class StudyTest(CliTest):
         self.assertEqual(self.read("error.dat").count(b"# curve"), 9)
 
 
-class ResumeTest(CliTest):
-    def interrupted(self, stop, *more):
-        """Starts an endless study, ends it when its first state is saved, returns the process."""
-        with subprocess.Popen([PROGRAM, *ENDLESS, *more], cwd=self.directory,
+def children(process):
+    """The ids of the processes that a process has started."""
+    with open(f"/proc/{process}/task/{process}/children", encoding="ascii") as file:
+        return [int(child) for child in file.read().split()]
+
+
+class UnfinishedTest(CliTest):
+    @contextlib.contextmanager
+    def unfinished(self, command, state="r.csv.state"):
+        """The process of an endless study, when its first state is saved."""
+        with subprocess.Popen(command, cwd=self.directory, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
             deadline = time.monotonic() + 100
-            while not os.path.exists(self.path("r.csv.state")):
+            while not os.path.exists(self.path(state)):
                 self.assertLess(time.monotonic(), deadline)
                 time.sleep(0.05)
-            process.send_signal(stop)
-            output, errors = process.communicate(timeout=100)
-            return process.returncode, output, errors.decode()
+            yield process
+
+    def remove_temporaries(self):
+        for name in self.files():
+            if name.startswith(".wellstrat-"):
+                os.remove(self.path(name))
+
+    def remove_results(self):
+        for name in self.files():
+            os.remove(self.path(name))
 
     def finished_patterns(self):
         return json.loads(self.read("r.csv.state").split(b"\n")[0])["patterns"]
@@ -151,6 +166,15 @@ class ResumeTest(CliTest):
         self.assertEqual(self.read("r.csv"), self.read("whole.csv"))
         self.assertEqual(self.files(), ["r.csv", "whole.csv"])
 
+
+class ResumeTest(UnfinishedTest):
+    def interrupted(self, stop):
+        """The exit code, the output and the errors of an endless study that a signal ends."""
+        with self.unfinished([PROGRAM, *ENDLESS]) as process:
+            process.send_signal(stop)
+            output, errors = process.communicate(timeout=100)
+            return process.returncode, output, errors.decode()
+
     def test_interrupt_keeps_what_is_finished(self):
         code, output, errors = self.interrupted(signal.SIGINT)
         self.assertEqual(code, 130)
@@ -163,9 +187,7 @@ class ResumeTest(CliTest):
 
     def test_killed_runs_go_on_from_the_last_saving(self):
         self.interrupted(signal.SIGKILL)
-        for name in self.files():
-            if name.startswith(".wellstrat-"):
-                os.remove(self.path(name))
+        self.remove_temporaries()
         self.assert_goes_on()
 
     def test_only_the_same_study_goes_on(self):
@@ -192,19 +214,31 @@ class ResumeTest(CliTest):
             self.assert_fails(*ENDLESS, "--resume", mentions="--resume")
 
 
-@unittest.skipUnless(os.environ.get("WELLSTRAT_WITH_MPI") == "ON", "built without MPI")
-class MpiTest(CliTest):
+@unittest.skipUnless(os.environ.get("WELLSTRAT_WITH_MPI") == "1" and shutil.which("mpirun"),
+                     "built without MPI")
+class MpiTest(UnfinishedTest):
+    def command(self, processes, *arguments):
+        return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(processes), PROGRAM,
+                *arguments]
+
     def mpirun(self, processes, *arguments):
-        return subprocess.run(
-            ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(processes), PROGRAM,
-             *arguments], cwd=self.directory, stdin=subprocess.DEVNULL, capture_output=True,
-            timeout=200, check=False)
+        return subprocess.run(self.command(processes, *arguments), cwd=self.directory,
+                              stdin=subprocess.DEVNULL, capture_output=True, timeout=200,
+                              check=False)
+
+    def rank(self, launcher, rank):
+        """The process id of one of the processes that `launcher` has started."""
+        for process in children(launcher.pid):
+            with open(f"/proc/{process}/environ", "rb") as file:
+                if b"OMPI_COMM_WORLD_RANK=%d" % rank in file.read().split(b"\0"):
+                    return process
+        return self.fail(f"there is no rank {rank}")
 
     def test_splits_change_no_bit(self):
         self.output_of(*SMALL, "-o", "alone.csv")
         for processes in (1, 2, 3, 4):
             process = self.mpirun(processes, *SMALL, "-o", "split.csv")
-            self.assertEqual(process.returncode, 0, process.stderr)
+            self.assertEqual((process.returncode, process.stderr), (0, b""))
             self.assertEqual(self.read("split.csv"), self.read("alone.csv"))
             self.assertEqual(process.stdout.count(b"RMSE over"), 1)
 
@@ -212,6 +246,41 @@ class MpiTest(CliTest):
         process = self.mpirun(3, "study", "--counts", "none")
         self.assertEqual(process.returncode, 2)
         self.assertEqual(process.stderr.count(b"wellstrat: --counts"), 1)
+
+    def test_interrupt_keeps_what_is_finished(self):
+        """Under mpirun, under other numbers of processes and alone, it goes on to the same bits."""
+        with self.unfinished(self.command(2, *ENDLESS)) as process:
+            process.send_signal(signal.SIGINT)
+            output, errors = process.communicate(timeout=100)
+        self.assertNotEqual(process.returncode, 0)
+        self.assertIn(b"RMSE over", output)
+        self.assertEqual(errors.count(b"--resume goes on"), 1)
+        patterns = self.finished_patterns() + 10
+        process = self.mpirun(3, *self.with_patterns(patterns, "r.csv"), "--resume")
+        self.assertEqual((process.returncode, process.stderr), (0, b""))
+        self.output_of(*self.with_patterns(patterns, "whole.csv"))
+        self.assertEqual(self.read("r.csv"), self.read("whole.csv"))
+        self.assertEqual(self.files(), ["r.csv", "whole.csv"])
+
+    def test_a_killed_process_ends_all(self):
+        for rank in (0, 1):
+            with self.unfinished(self.command(2, *ENDLESS)) as process:
+                os.kill(self.rank(process, rank), signal.SIGKILL)
+                _, errors = process.communicate(timeout=100)
+            self.assertEqual(process.returncode, 128 + signal.SIGKILL)
+            self.assertRegex(errors.decode(), rf"rank {rank} [^.]*\n?[^.]*signal 9")
+            self.remove_temporaries()
+            self.assert_goes_on()
+            self.remove_results()
+
+    def test_an_error_of_one_process_ends_all(self):
+        os.mkdir(self.path("gone"))
+        with self.unfinished(self.command(2, *self.with_patterns(10**8, "gone/r.csv")),
+                             "gone/r.csv.state") as process:
+            shutil.rmtree(self.path("gone"))
+            _, errors = process.communicate(timeout=100)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn(b"wellstrat: cannot write 'gone/r.csv.state': No such file", errors)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 // must be as good as high ones. False alarms: statistics.h.
 
 #include "RixRNGInline.h"
+#include "statistical/marsaglia.h"
 #include "statistical/statistics.h"
 
 #include <gtest/gtest.h>
@@ -104,66 +105,13 @@ TEST_P(RandomSequence, RunsUpHaveTheRightLengths) {
     });
 }
 
-// Marsaglia 1985; parameters after L'Ecuyer and Simard 2001, "On the performance of birthday
-// spacings tests": 4096 birthdays in a year of 2^32 days, so 4 equal spacings are expected; 1024 in
-// 256 years. The sum is Poisson, near enough normal at 6 sigma.
 TEST_P(RandomSequence, BirthdaySpacingsRepeatAsOftenAsTheyShould) {
-    constexpr uint32_t kBirthdays = 4096, kYears = 256;
-    constexpr double kExpected = 4.0 * kYears;
-    forBothOrders([](auto word) {
-        uint32_t repeats = 0;
-        std::vector<uint32_t> days(kBirthdays);
-        for (uint32_t year = 0; year < kYears; ++year) {
-            for (uint32_t i = 0; i < kBirthdays; ++i) days[i] = word(year * kBirthdays + i);
-            std::sort(days.begin(), days.end());
-            for (uint32_t i = kBirthdays - 1; i > 0; --i) days[i] -= days[i - 1];
-            std::sort(days.begin() + 1, days.end());
-            for (uint32_t i = 2; i < kBirthdays; ++i) repeats += days[i] == days[i - 1];
-        }
-        EXPECT_GE(normalTail((repeats - kExpected) / std::sqrt(kExpected)), kAlpha) << repeats;
-    });
+    forBothOrders([](auto word) { EXPECT_GE(birthdaySpacingsP(word), kAlpha); });
 }
 
-unsigned rankOverGF2(uint32_t rows[32]) {
-    unsigned rank = 0;
-    for (uint32_t bit = 1; bit != 0; bit <<= 1) {
-        unsigned pivot = rank;
-        while (pivot < 32 && !(rows[pivot] & bit)) ++pivot;
-        if (pivot == 32) continue;
-        std::swap(rows[rank], rows[pivot]);
-        for (unsigned r = pivot + 1; r < 32; ++r) {
-            if (rows[r] & bit) rows[r] ^= rows[rank];
-        }
-        ++rank;
-    }
-    return rank;
-}
-
-/// The probability that a random n x n matrix over GF(2) has this rank.
-double rankProbability(int rank, int n) {
-    double p = std::exp2(rank * (2 * n - rank) - n * n);
-    for (int i = 0; i < rank; ++i) {
-        p *= std::pow(1 - std::exp2(i - n), 2) / (1 - std::exp2(i - rank));
-    }
-    return p;
-}
-
-// Marsaglia and Tsay 1985, "Matrices and the structure of random number sequences". Guards against
-// bits that are linear functions of others.
+// Guards against bits that are linear functions of others.
 TEST_P(RandomSequence, MatricesOf32WordsHaveTheRightRanks) {
-    constexpr uint32_t kMatrices = 1u << 15;
-    std::vector<uint32_t> counts(4); // 32, 31, 30, less
-    uint32_t rows[32];
-    for (uint32_t m = 0; m < kMatrices; ++m) {
-        for (uint32_t r = 0; r < 32; ++r) rows[r] = GetParam().at(m * 32 + r);
-        ++counts[std::min(32 - rankOverGF2(rows), 3u)];
-    }
-    std::vector<double> expected(4, kMatrices);
-    for (int i = 0; i < 3; ++i) {
-        expected[static_cast<unsigned>(i)] = kMatrices * rankProbability(32 - i, 32);
-        expected[3] -= expected[static_cast<unsigned>(i)];
-    }
-    EXPECT_GE(chiSquareP(counts, expected), kAlpha);
+    EXPECT_GE(matrixRankP(GetParam().at), kAlpha);
 }
 
 // 2^20 independent words have 2^20 * 2^20 / 2 / 2^32 = 128 pairs of equal ones.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// wellstrat analyze: measures a point set, of a file or of a generator.
+// wellstrat analyze: measures a point set, of files or of a generator.
 
 #include "commands.h"
 #include "errors.h"
@@ -8,17 +8,14 @@
 #include "measures_figure.h"
 #include "measures_report.h"
 #include "options.h"
-#include "point_file.h"
 #include "sample_figure.h"
-#include "sampling.h"
-#include "wellstrat/camera.h"
+#include "subjects.h"
 
 #include <fmt/format.h>
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace wellstrat::cli {
@@ -26,23 +23,25 @@ namespace {
 
 constexpr auto kExamples =
     R"(Measures: t as a net in base 2, of each projection; star and L2 discrepancies; distances to the
-nearest point; pair correlation; spectra of each 2D projection; and of generators the independence
-of patterns, pixels and domains.
+nearest point; pair correlation; spectra of each 2D projection; independence of patterns and
+domains, and of the pixels and frames of generators. Spectra are the mean of all realizations,
+independence is that of the first 8, all else is of the first one.
 
 Files hold values in [0, 1): text (one point a line, # starts a comment), NumPy arrays of float32 or
 float64 with shape (points, dims), or with --format raw little-endian numbers. Points of another
-program come through a pipe with "... | wellstrat analyze -".
+program come through a pipe with "... | wellstrat analyze -". Realizations, such as patterns of
+another generator, are several files or NumPy arrays with shape (patterns, points, dims).
 
 Examples:
   wellstrat analyze --generator pmj --count 1024
   wellstrat analyze --generator random --count 256 --dims 3 --json
   wellstrat analyze --generator pmj --count 4096 --plot spectrum.png
+  wellstrat analyze pixel-0.csv pixel-1.csv
+  wellstrat analyze paths.csv --domains 2,2,1
 )";
 
-constexpr size_t kStreams = 8;
-
 struct AnalyzeOptions {
-    PointFileOptions file;
+    PointFiles files;
     std::optional<std::string> generator;
     uint64_t dims = 0; ///< 0: not said
     uint64_t count = 4096;
@@ -53,85 +52,29 @@ struct AnalyzeOptions {
     bool keepPlotFiles = false;
 };
 
-/// A point set and its name.
-struct Subject {
-    std::string name;
-    MeasuredSet set;
-};
-
-Subject fileSubject(const AnalyzeOptions& options) {
-    PointFileOptions file = options.file;
-    if (options.dims != 0) file.dims = static_cast<unsigned>(options.dims);
-    const PointTable table = readPoints(file);
-    const auto points =
-        std::make_shared<const UnitPoints>(table.values.data(), table.count(), table.dims);
-    const std::string name = file.path == "-" ? "standard input" : file.path;
-    return {name, {[points](std::size_t) { return *points; }, 1, {}}};
-}
-
-/// What a generator gives for a context and its successors.
-class GeneratorPoints {
-public:
-    GeneratorPoints(const NamedGenerator& generator, unsigned dims, uint64_t count)
-        : run_{&generator, dims, 0, 0, count} {}
-
-    UnitPoints operator()(uint32_t pattern) const {
-        SampleRun run = run_;
-        run.pattern = pattern;
-        std::vector<double> values;
-        values.reserve(run.count * run.dims);
-        drawSamples(run, [&](const float* xi) { values.insert(values.end(), xi, xi + run.dims); });
-        return {values.data(), run.count, run.dims};
+Subject subjectOf(const AnalyzeOptions& options) {
+    if (options.files.paths.empty() == !options.generator) {
+        throw CliError(
+            "say what to analyze: files, - for the standard input, or --generator; "
+            "one of them");
     }
-
-private:
-    SampleRun run_;
-};
-
-/// Streams that a renderer combines: of patterns in a row, of neighboring pixels and frames, of
-/// domains of one context.
-std::vector<std::pair<std::string, std::vector<SampleStream>>>
-streamFamilies(const GeneratorPoints& points, uint32_t pattern) {
-    std::vector<SampleStream> patterns, pixels, domains;
-    for (unsigned s = 0; s < kStreams; ++s) {
-        patterns.push_back({fmt::format("pattern {}", pattern + s), points(pattern + s)});
-        const int x = static_cast<int>(s % 2), y = static_cast<int>(s / 2 % 2);
-        const unsigned frame = s / 4;
-        pixels.push_back({fmt::format("pixel ({}, {}) frame {}", x, y, frame),
-                          points(cameraContext(x, y, frame, 0).patternid)});
-        domains.push_back(
-            {fmt::format("domain {}", s),
-             points(SampleCtx{pattern, 0}.NewDomain(static_cast<Scramble>(s)).patternid)});
+    if (!options.generator) {
+        PointFiles files = options.files;
+        if (options.dims != 0) files.options.dims = static_cast<unsigned>(options.dims);
+        return fileSubject(files);
     }
-    return {{"patterns", std::move(patterns)},
-            {"pixels and frames", std::move(pixels)},
-            {"domains", std::move(domains)}};
-}
-
-Subject generatorSubject(const AnalyzeOptions& options) {
     const unsigned dims = options.dims == 0 ? 2 : static_cast<unsigned>(options.dims);
     if (dims > 3) throw CliError(fmt::format("--dims: generators have 1 to 3, not {}", dims));
-    const NamedGenerator& generator = findGenerator("--generator", *options.generator);
-    const GeneratorPoints points(generator, dims, options.count);
-    const auto pattern = static_cast<uint32_t>(options.pattern);
-    const auto realization = [points, pattern](std::size_t r) {
-        return points(pattern + static_cast<uint32_t>(r));
-    };
-    return {fmt::format("{}, pattern {}", generator.name, pattern),
-            {realization, options.realizations, streamFamilies(points, pattern)}};
+    return generatorSubject({&findGenerator("--generator", *options.generator), dims, options.count,
+                             static_cast<uint32_t>(options.pattern), options.realizations});
 }
 
 void analyze(const AnalyzeOptions& options) {
-    if (options.file.path.empty() == !options.generator) {
-        throw CliError(
-            "say what to analyze: a file, - for the standard input, or --generator; "
-            "one of them");
-    }
     std::unique_ptr<Picture> picture;
     if (options.plot) {
         picture = std::make_unique<Picture>("--plot", *options.plot, options.keepPlotFiles);
     }
-    const Subject subject = options.generator ? generatorSubject(options) : fileSubject(options);
+    const Subject subject = subjectOf(options);
     const UnitPoints points = subject.set.points(0);
     if (picture && points.count() > kMaxFigurePoints) {
         throw CliError(fmt::format("--plot: at most {} points can be drawn, not {}",
@@ -153,8 +96,8 @@ void addAnalyze(CLI::App& app, int& /*exitCode*/) {
     CLI::App* const command = app.add_subcommand("analyze", "Measure a point set");
     const auto options = std::make_shared<AnalyzeOptions>();
     CLI::Option* const file =
-        command->add_option("FILE", options->file.path, "The points, - for the standard input")
-            ->type_name("");
+        command->add_option("FILE", options->files.paths, "The points, - for the standard input")
+            ->type_name("...");
     CLI::Option* const generator =
         command->add_option("--generator", options->generator, "A generator instead of a file")
             ->type_name("NAME")
@@ -165,17 +108,26 @@ void addAnalyze(CLI::App& app, int& /*exitCode*/) {
               "Dimensions of samples [2], or of raw numbers");
     addNumber(*command, "--pattern", options->pattern, {0, kMaxWord}, "The first pattern [0]")
         ->needs(generator);
-    addNumber(*command, "--realizations", options->realizations, {1, 4096},
+    addNumber(*command, "--realizations", options->realizations, {1, kMaxRealizations},
               "How many patterns the spectra are the mean of [16]")
         ->needs(generator);
     command
-        ->add_option("--format", options->file.format,
+        ->add_option("--format", options->files.options.format,
                      "text, npy or raw [what the file's suffix and first bytes say]")
         ->type_name("NAME")
         ->excludes(generator);
     command
-        ->add_option("--type", options->file.type, "Of raw numbers: float32 or float64 [float32]")
+        ->add_option("--type", options->files.options.type,
+                     "Of raw numbers: float32 or float64 [float32]")
         ->type_name("NAME")
+        ->excludes(generator);
+    command
+        ->add_option("--domains", options->files.domains,
+                     "Test the independence of domains: 2,2,1 splits points in 5D")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::Range(1u, UnitPoints::kMaxDimensions).description(""))
+        ->type_name("DIMS,DIMS")
         ->excludes(generator);
     command->add_flag("--json", options->json, "Print JSON");
     CLI::Option* const plot =

@@ -27,6 +27,7 @@ constexpr auto kExamples = R"(Examples:
   wellstrat sample --compare random,pmj --count 256 --plot compare.png
   wellstrat verify
   wellstrat tables --export tables.npy
+  wellstrat report --quick -o report.html
   wellstrat SUBCOMMAND --help
 
 Exit codes: 0 done, 1 a promise does not hold (verify), 2 error.
@@ -65,8 +66,12 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(26);
     app.footer(kExamples);
     app.require_subcommand(1);
-    for (const auto add : {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy})
+    for (const auto add :
+         {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy, addReport})
         add(app, exitCode);
+#if defined(WELLSTRAT_WITH_RENDERER)
+    for (const auto add : {addRender, addMerge, addCompare}) add(app, exitCode);
+#endif
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& request) {

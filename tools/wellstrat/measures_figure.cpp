@@ -2,8 +2,6 @@
 
 #include "measures_figure.h"
 
-#include "plot_data.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,9 +12,6 @@ namespace wellstrat::cli {
 namespace {
 
 constexpr unsigned kPanelSize = 480;
-/// Highest frequency of the pictures of periodograms.
-constexpr int kMaxShownFrequency = 128;
-
 void writePlane(PlotData& data, const PlaneSpectrum& plane, const UnitPoints& points,
                 std::size_t number) {
     const double* x = points.coordinate(plane.projection[0]);
@@ -24,24 +19,13 @@ void writePlane(PlotData& data, const PlaneSpectrum& plane, const UnitPoints& po
     data.begin("points", number);
     for (std::size_t i = 0; i < points.count(); ++i) data.line("{:.9g} {:.9g}", x[i], y[i]);
 
-    const int highest = std::min(plane.periodogram.maxFrequency(), kMaxShownFrequency);
-    data.begin("periodogram", number);
-    for (int fy = -highest; fy <= highest; ++fy) {
-        for (int fx = -highest; fx <= highest; ++fx) {
-            data.line("{} {} {:.4g}", fx, fy,
-                      fx == 0 && fy == 0 ? 0.0 : plane.periodogram.power(fx, fy));
-        }
-    }
-    data.begin("radial", number);
-    for (std::size_t r = 1; r < plane.radial.mean.size(); ++r) {
-        data.line("{} {:.3f} {:.3f}", r, decibels(plane.radial.mean[r]),
-                  plane.radial.anisotropyDb[r]);
-    }
+    writePeriodogram(data, plane.periodogram, number);
+    writeRadial(data, plane.radial, number);
 }
 
 std::string planeScript(const PlaneSpectrum& plane, const Measures& measures, std::size_t number) {
     const double pointSize = std::clamp(10.0 / std::sqrt(double(measures.count)), 0.1, 1.0);
-    const int highest = std::min(plane.periodogram.maxFrequency(), kMaxShownFrequency);
+    const int highest = shownFrequency(plane.periodogram);
     return fmt::format(
         "\nset size ratio -1\n"
         "set title '{0}: points'\n"
@@ -55,13 +39,6 @@ std::string planeScript(const PlaneSpectrum& plane, const Measures& measures, st
         "     data index 'radial{1}' using 1:3 with points pt 7 ps 0.3 lc rgb 0xdd8833\n",
         projectionName(plane.projection, measures.dims), number, pointSize, highest, highest + 0.5,
         plane.periodogram.maxFrequency());
-}
-
-void writePairs(PlotData& data, const PairCorrelation& pairs) {
-    data.begin("pairs", 0);
-    for (std::size_t k = 0; k < pairs.values.size(); ++k) {
-        data.line("{:.6g} {:.6g}", (static_cast<double>(k) + 0.5) * pairs.step, pairs.values[k]);
-    }
 }
 
 constexpr auto kStyle =
@@ -79,6 +56,35 @@ constexpr auto kPairsScript =
 
 } // namespace
 
+int shownFrequency(const Periodogram& periodogram) {
+    constexpr int kMaxShown = 128;
+    return std::min(periodogram.maxFrequency(), kMaxShown);
+}
+
+void writePeriodogram(PlotData& data, const Periodogram& periodogram, std::size_t number) {
+    const int highest = shownFrequency(periodogram);
+    data.begin("periodogram", number);
+    for (int fy = -highest; fy <= highest; ++fy) {
+        for (int fx = -highest; fx <= highest; ++fx) {
+            data.line("{} {} {:.4g}", fx, fy, fx == 0 && fy == 0 ? 0.0 : periodogram.power(fx, fy));
+        }
+    }
+}
+
+void writeRadial(PlotData& data, const RadialSpectrum& radial, std::size_t number) {
+    data.begin("radial", number);
+    for (std::size_t r = 1; r < radial.mean.size(); ++r) {
+        data.line("{} {:.3f} {:.3f}", r, decibels(radial.mean[r]), radial.anisotropyDb[r]);
+    }
+}
+
+void writePairs(PlotData& data, const PairCorrelation& pairs, std::size_t number) {
+    data.begin("pairs", number);
+    for (std::size_t k = 0; k < pairs.values.size(); ++k) {
+        data.line("{:.6g} {:.6g}", (static_cast<double>(k) + 0.5) * pairs.step, pairs.values[k]);
+    }
+}
+
 Plot measuresFigure(const Measures& measures, const UnitPoints& points) {
     PlotData data;
     std::string panels;
@@ -88,7 +94,7 @@ Plot measuresFigure(const Measures& measures, const UnitPoints& points) {
         panels += planeScript(measures.spectra[p], measures, p);
     }
     if (measures.pairs) {
-        writePairs(data, *measures.pairs);
+        writePairs(data, *measures.pairs, 0);
         panels += kPairsScript;
     }
     const std::size_t columns = planes > 0 ? 3 : 1;

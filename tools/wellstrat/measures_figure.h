@@ -6,6 +6,7 @@
 
 #include "measures.h"
 #include "picture.h"
+#include "plot_data.h"
 
 #include <cstddef>
 
@@ -16,5 +17,13 @@ namespace wellstrat::cli {
 Plot measuresFigure(const Measures& measures, const UnitPoints& points);
 
 constexpr std::size_t kMaxFigureRows = 6;
+
+/// The sets of data of which pictures of measures consist. "periodogram": fx, fy and power of the
+/// frequencies with components up to shownFrequency(). "radial": frequency, mean power and
+/// anisotropy in dB. "pairs": distance and pair correlation.
+void writePeriodogram(PlotData& data, const Periodogram& periodogram, std::size_t number);
+void writeRadial(PlotData& data, const RadialSpectrum& radial, std::size_t number);
+void writePairs(PlotData& data, const PairCorrelation& pairs, std::size_t number);
+int shownFrequency(const Periodogram& periodogram);
 
 } // namespace wellstrat::cli

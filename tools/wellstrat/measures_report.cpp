@@ -22,17 +22,6 @@ public:
     void section(const char* title) { line("\n{}", title); }
 };
 
-std::string coordinateName(const FamilyIndependence& family, std::size_t stream, unsigned dim,
-                           unsigned dims) {
-    return fmt::format("{} {}", family.streams[stream], projectionName({dim}, dims));
-}
-
-/// The share of the largest possible minimum distance; only where that is known.
-std::optional<double> packing(const Measures& measures) {
-    if (measures.dims > 3 || measures.count < 2) return {};
-    return measures.onTorus.minimum / largestMinimumDistance(measures.count, measures.dims);
-}
-
 /// The mean of a radial quantity over the frequencies from..to, both included.
 double ringMean(const std::vector<double>& rings, std::size_t from, std::size_t to) {
     to = std::min(to, rings.size() - 1);
@@ -205,6 +194,16 @@ Json arrayOf(const Range& range, const More&... more) {
 }
 
 } // namespace
+
+std::string coordinateName(const FamilyIndependence& family, std::size_t stream, unsigned dim,
+                           unsigned dims) {
+    return fmt::format("{} {}", family.streams[stream], projectionName({dim}, dims));
+}
+
+std::optional<double> packing(const Measures& measures) {
+    if (measures.dims > 3 || measures.count < 2) return {};
+    return measures.onTorus.minimum / largestMinimumDistance(measures.count, measures.dims);
+}
 
 std::string measuresText(const Measures& measures, const std::string& subject) {
     Report report;

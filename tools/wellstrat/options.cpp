@@ -11,6 +11,24 @@
 #include <filesystem>
 
 namespace wellstrat::cli {
+namespace {
+
+/// `Value` is a number, or an optional one.
+template <typename Value>
+CLI::Option* addParsed(CLI::App& command, const std::string& flags, Value& value, NumberRange range,
+                       const std::string& description) {
+    const auto read = [&value, flags, range](const std::string& text) {
+        uint64_t number = 0;
+        if (!parseNumber(text, range, number)) {
+            throw CLI::ValidationError(flags, fmt::format("not a whole number from {} to {}: '{}'",
+                                                          range.min, range.max, text));
+        }
+        value = number;
+    };
+    return command.add_option_function<std::string>(flags, read, description)->type_name("N");
+}
+
+} // namespace
 
 bool parseNumber(std::string_view text, NumberRange range, uint64_t& value) {
     const bool hexadecimal = text.substr(0, 2) == "0x" || text.substr(0, 2) == "0X";
@@ -26,12 +44,27 @@ bool parseNumber(std::string_view text, NumberRange range, uint64_t& value) {
 
 CLI::Option* addNumber(CLI::App& command, const std::string& flags, uint64_t& value,
                        NumberRange range, const std::string& description) {
+    return addParsed(command, flags, value, range, description);
+}
+
+CLI::Option* addNumber(CLI::App& command, const std::string& flags, std::optional<uint64_t>& value,
+                       NumberRange range, const std::string& description) {
+    return addParsed(command, flags, value, range, description);
+}
+
+CLI::Option* addReal(CLI::App& command, const std::string& flags, std::optional<double>& value,
+                     RealRange range, const std::string& description) {
     const auto read = [&value, flags, range](const std::string& text) {
-        if (parseNumber(text, range, value)) return;
-        throw CLI::ValidationError(flags, fmt::format("not a whole number from {} to {}: '{}'",
-                                                      range.min, range.max, text));
+        const char* const end = text.data() + text.size();
+        double number = 0;
+        const auto [stop, error] = std::from_chars(text.data(), end, number);
+        if (error != std::errc() || stop != end || !(number >= range.min && number <= range.max)) {
+            throw CLI::ValidationError(
+                flags, fmt::format("not a number from {} to {}: '{}'", range.min, range.max, text));
+        }
+        value = number;
     };
-    return command.add_option_function<std::string>(flags, read, description)->type_name("N");
+    return command.add_option_function<std::string>(flags, read, description)->type_name("X");
 }
 
 std::string requireSuffix(const std::string& option, const std::string& path,

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,6 +29,19 @@ bool parseNumber(std::string_view text, NumberRange range, uint64_t& value);
 /// `value` must outlive `command`.
 CLI::Option* addNumber(CLI::App& command, const std::string& flags, uint64_t& value,
                        NumberRange range, const std::string& description);
+
+/// The same for a number that need not be given and has no default.
+CLI::Option* addNumber(CLI::App& command, const std::string& flags, std::optional<uint64_t>& value,
+                       NumberRange range, const std::string& description);
+
+/// The numbers from min to max, both included.
+struct RealRange {
+    double min, max;
+};
+
+/// Adds an option that takes one decimal number of `range`.
+CLI::Option* addReal(CLI::App& command, const std::string& flags, std::optional<double>& value,
+                     RealRange range, const std::string& description);
 
 /// The one of `accepted`, such as ".png", that the file name `path` ends in. Throws CliError, which
 /// names `option` and what is accepted, if there is none.

@@ -75,6 +75,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path), fi
             throw CliError(fmt::format("'{}' is the name of two outputs; give each its own", path));
         }
         file_ = openTemporary(target_, temporary_);
+        if (!temporary_.empty()) removed_.emplace(temporary_);
     }
     if (file_ == nullptr) {
         const int reason = errno;
@@ -113,6 +114,7 @@ void OutputFile::commit() {
         throw fileError("write", path_, errno);
     }
     temporary_.clear();
+    removed_.reset();
 }
 
 void printText(std::string_view text) {

@@ -4,17 +4,21 @@
 
 #pragma once
 
+#include "removed_on_signal.h"
+
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace wellstrat::cli {
 
 /// A file being written. The bytes go to a temporary file in the same directory, which `commit`
-/// renames; without a commit the destructor removes it, and a file of that name stays as it was.
-/// The path "-" is the standard output; that, devices and pipes are written directly. A symbolic
-/// link stays, and the file that it leads to is replaced, with the permissions that it had. Two
-/// files being written cannot have one name. All functions throw CliError on failure.
+/// renames; without a commit the destructor, or the signal of Ctrl-C, removes it, and a file of
+/// that name stays as it was. The path "-" is the standard output; that, devices and pipes are
+/// written directly. A symbolic link stays, and the file that it leads to is replaced, with the
+/// permissions that it had. Two files being written cannot have one name. All functions throw
+/// CliError on failure.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
@@ -32,6 +36,7 @@ private:
     std::string path_;
     std::string target_;    ///< what the temporary file will be renamed to
     std::string temporary_; ///< empty when written directly
+    std::optional<RemovedOnSignal> removed_;
     std::FILE* file_;
 };
 

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace wellstrat::cli {
 namespace {
@@ -94,6 +95,17 @@ void runGnuplot(const std::string& script, const std::string& log) {
 
 } // namespace
 
+DrawnPlot drawPlot(const Plot& plot, const std::string& suffix) {
+    const TemporaryDirectory directory;
+    std::string script = fullScript(plot, suffix);
+    writeFile(directory.file("plot.gp"), script);
+    writeFile(directory.file("plot.dat"), plot.data);
+    runGnuplot(directory.file("plot.gp"), directory.file("log"));
+    std::string picture = readFile(directory.file("plot" + suffix));
+    if (picture.empty()) throw CliError("gnuplot wrote no picture");
+    return {std::move(picture), std::move(script)};
+}
+
 Picture::Picture(const std::string& option, const std::string& path, bool keepFiles)
     : suffix_(requireSuffix(option, path, {".png", ".svg", ".pdf"})) {
     files_.emplace_back(path);
@@ -103,18 +115,14 @@ Picture::Picture(const std::string& option, const std::string& path, bool keepFi
     files_.emplace_back(stem + ".gp");
 }
 
-void Picture::draw(const Plot& plot) {
-    const TemporaryDirectory directory;
-    const std::string script = fullScript(plot, suffix_);
-    writeFile(directory.file("plot.gp"), script);
-    writeFile(directory.file("plot.dat"), plot.data);
-    runGnuplot(directory.file("plot.gp"), directory.file("log"));
-    const std::string picture = readFile(directory.file("plot" + suffix_));
-    if (picture.empty()) throw CliError("gnuplot wrote no picture");
-    files_[0].write(picture);
-    if (files_.size() == 1) return;
-    files_[1].write(plot.data);
-    files_[2].write(script);
+std::string Picture::draw(const Plot& plot) {
+    DrawnPlot drawn = drawPlot(plot, suffix_);
+    files_[0].write(drawn.picture);
+    if (files_.size() > 1) {
+        files_[1].write(plot.data);
+        files_[2].write(drawn.script);
+    }
+    return std::move(drawn.picture);
 }
 
 void Picture::commit() {

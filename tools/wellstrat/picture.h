@@ -23,6 +23,16 @@ struct Plot {
     unsigned width, height; ///< pixels; in vector formats 1/96 inch
 };
 
+/// What gnuplot made of a plot.
+struct DrawnPlot {
+    std::string picture; ///< the bytes of the picture's file
+    std::string script;  ///< all of it: beside it, as NAME.gp, lies the data as NAME.dat
+};
+
+/// Runs gnuplot for the format that `suffix` stands for: .png, .svg or .pdf. Throws CliError if
+/// gnuplot is missing or fails.
+DrawnPlot drawPlot(const Plot& plot, const std::string& suffix);
+
 /// A picture file; with `keepFiles` also the data and the script beside it, with the picture's
 /// suffix replaced by .dat and .gp, so that "gnuplot NAME.gp" draws the picture again.
 class Picture {
@@ -31,8 +41,8 @@ public:
     /// cannot be written. `option` is named in the message.
     Picture(const std::string& option, const std::string& path, bool keepFiles);
 
-    /// Runs gnuplot. Throws CliError if it is missing or fails.
-    void draw(const Plot& plot);
+    /// Draws, and returns the bytes of the picture. Throws CliError as drawPlot does.
+    std::string draw(const Plot& plot);
 
     /// Puts the files under their names.
     void commit();

@@ -38,8 +38,11 @@ public:
         table_.dims = static_cast<unsigned>(dims);
     }
 
-    void requireRoom(std::size_t count) const {
-        if (count > kMaxFilePoints) failTooMany();
+    /// Of sets of points; one set has room for kMaxFilePoints.
+    void makeRoomForPatterns() { maxPoints_ = kMaxPatternNumbers / dims(); }
+
+    void requireRoom(uint64_t patterns, uint64_t count) const {
+        if (count > maxPoints_ || (count > 0 && patterns > maxPoints_ / count)) failTooMany();
     }
 
     /// `place` names where the value stands, such as "line 3".
@@ -48,7 +51,7 @@ public:
         if (!(value >= 0 && value < 1)) {
             fail("{}: {} is not in [0, 1)", place(), value);
         }
-        if (table_.values.size() == kMaxFilePoints * table_.dims) failTooMany();
+        if (table_.values.size() == maxPoints_ * table_.dims) failTooMany();
         table_.values.push_back(value);
     }
 
@@ -62,11 +65,12 @@ public:
 
 private:
     [[noreturn]] void failTooMany() const {
-        fail("holds more than {} points, which is as many as are read", kMaxFilePoints);
+        fail("holds more than {} points, which is as many as are read", maxPoints_);
     }
 
     ByteSource& source_;
     PointTable table_;
+    std::size_t maxPoints_ = kMaxFilePoints;
 };
 
 constexpr std::string_view kSeparators = " \t\r,;";
@@ -177,19 +181,21 @@ PointTable readRaw(ByteSource& source, const PointFileOptions& options) {
     return reader.finish();
 }
 
-/// Numbers stored column after column, in the order of the points.
-PointTable transposed(const PointTable& columns) {
-    PointTable result{std::vector<double>(columns.values.size()), columns.dims};
-    const std::size_t count = columns.count();
-    for (std::size_t i = 0; i < count; ++i) {
-        for (unsigned d = 0; d < columns.dims; ++d) {
-            result.values[i * columns.dims + d] = columns.values[d * count + i];
+/// Numbers stored with the first of the three axes fastest, in the order of the points.
+void sortFortranOrder(PatternTable& table) {
+    const std::vector<double> values = table.points.values;
+    const std::size_t patterns = table.patterns, count = table.pointsEach();
+    double* to = table.points.values.data();
+    for (std::size_t p = 0; p < patterns; ++p) {
+        for (std::size_t i = 0; i < count; ++i) {
+            for (unsigned d = 0; d < table.points.dims; ++d) {
+                *to++ = values[p + patterns * (i + count * d)];
+            }
         }
     }
-    return result;
 }
 
-PointTable readNpy(ByteSource& source) {
+PatternTable readNpy(ByteSource& source) {
     PointReader reader(source);
     NpyArray array;
     try {
@@ -201,22 +207,27 @@ PointTable readNpy(ByteSource& source) {
         reader.fail("is an array of '{}'; accepted are float32 and float64, '<f4' and '<f8'",
                     array.type);
     }
-    if (array.shape.size() != 1 && array.shape.size() != 2) {
+    const std::size_t axes = array.shape.size();
+    if (axes < 1 || axes > 3) {
         reader.fail(
-            "is an array with {} axes; accepted are one (points in 1D) and two (points, "
-            "coordinates)",
-            array.shape.size());
+            "is an array with {} axes; accepted are one (points in 1D), two (points, "
+            "coordinates) and three (patterns, points, coordinates)",
+            axes);
     }
-    const std::size_t count = array.shape[0];
-    reader.setDims(array.shape.size() == 1 ? 1 : array.shape[1]);
-    reader.requireRoom(count);
+    const uint64_t patterns = axes == 3 ? array.shape[0] : 1;
+    const uint64_t count = array.shape[axes == 3 ? 1 : 0];
+    reader.setDims(axes == 1 ? 1 : array.shape.back());
+    reader.requireRoom(1, count);
+    if (axes == 3) reader.makeRoomForPatterns();
+    reader.requireRoom(patterns, count);
     readNumbers(source, reader, {array.type[2] == '4' ? 4u : 8u, array.type[0] == '>'});
-    if (reader.size() != count * reader.dims()) {
-        reader.fail("has {} numbers, where its header says {}", reader.size(),
-                    count * reader.dims());
+    const uint64_t numbers = patterns * count * reader.dims();
+    if (reader.size() != numbers) {
+        reader.fail("has {} numbers, where its header says {}", reader.size(), numbers);
     }
-    const PointTable table = reader.finish();
-    return array.fortranOrder ? transposed(table) : table;
+    PatternTable table{reader.finish(), patterns};
+    if (array.fortranOrder) sortFortranOrder(table);
+    return table;
 }
 
 constexpr std::string_view kFormats[] = {"text", "npy", "raw"};
@@ -235,11 +246,11 @@ std::string_view formatOf(const PointFileOptions& options, ByteSource& source) {
 
 } // namespace
 
-PointTable readPoints(const PointFileOptions& options) {
+PatternTable readPatterns(const PointFileOptions& options) {
     ByteSource source(options.path);
     const std::string_view format = formatOf(options, source);
     if (format == "npy") return readNpy(source);
-    return format == "raw" ? readRaw(source, options) : readText(source);
+    return {format == "raw" ? readRaw(source, options) : readText(source)};
 }
 
 } // namespace wellstrat::cli

@@ -19,8 +19,18 @@ struct PointTable {
     std::size_t count() const { return values.size() / dims; }
 };
 
-/// More points than this are not read.
+/// Sets of equally many points, such as the randomizations of one sequence, set after set.
+struct PatternTable {
+    PointTable points;
+    std::size_t patterns = 1;
+
+    std::size_t pointsEach() const { return points.count() / patterns; }
+};
+
+/// More points than this are not read as one set,
 constexpr std::size_t kMaxFilePoints = std::size_t{1} << 20;
+/// and of several sets not more numbers.
+constexpr std::size_t kMaxPatternNumbers = std::size_t{1} << 25;
 
 /// What to read, as the command line gives it.
 struct PointFileOptions {
@@ -30,10 +40,11 @@ struct PointFileOptions {
     std::optional<unsigned> dims;      ///< of raw points
 };
 
-/// Reads all points. Throws CliError, which names the place and says what is accepted, for a file
-/// that cannot be read, that is empty, cut off or ragged, that holds anything but numbers in
-/// [0, 1), or more than kMaxFilePoints points. Memory stays bounded by that number whatever the
-/// file holds.
-PointTable readPoints(const PointFileOptions& options);
+/// Reads all points of a file: one pattern, or in a NumPy array with the axes (patterns, points,
+/// coordinates) several. Throws CliError, which names the place and says what is accepted, for a
+/// file that cannot be read, that is empty, cut off or ragged, that holds anything but numbers in
+/// [0, 1), or more than kMaxFilePoints points, or of several patterns more than kMaxPatternNumbers
+/// numbers. Memory stays bounded by these whatever the file holds.
+PatternTable readPatterns(const PointFileOptions& options);
 
 } // namespace wellstrat::cli

@@ -33,7 +33,7 @@ ProgressBar::~ProgressBar() {
     if (drawn_) fmt::print(stderr, "\r\x1b[K");
 }
 
-void ProgressBar::show(double share) {
+void ProgressBar::show(double share, std::string_view detail) {
     if (!visible_) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     const Clock::time_point now = Clock::now();
@@ -43,8 +43,8 @@ void ProgressBar::show(double share) {
     const double elapsed = std::chrono::duration<double>(now - begin_).count();
     const double left = elapsed * (1 - share) / (share - start_);
     const int filled = static_cast<int>(kBarWidth * share);
-    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %, {} left\x1b[K", label_, "", filled, "",
-               kBarWidth - filled, 100 * share, timeText(left));
+    fmt::print(stderr, "\r{} [{:#<{}}{:.<{}}] {:3.0f} %{}, {} left\x1b[K", label_, "", filled, "",
+               kBarWidth - filled, 100 * share, detail, timeText(left));
     std::fflush(stderr);
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <mutex>
 #include <string>
+#include <string_view>
 
 namespace wellstrat::cli {
 
@@ -20,8 +21,8 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    /// `share` in [0, 1] grows. Cheap: draws a few times in a second.
-    void show(double share);
+    /// `share` in [0, 1] grows. Cheap: draws a few times in a second. `detail` follows the share.
+    void show(double share, std::string_view detail = "");
 
 private:
     using Clock = std::chrono::steady_clock;

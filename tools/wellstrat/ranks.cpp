@@ -91,6 +91,18 @@ void Ranks::addToRoot(std::vector<ErrorSums>& sums) const {
     }
 }
 
+void Ranks::joinAtRoot(void* bytes, std::size_t size) const {
+    if (size_ == 1) return;
+    constexpr std::size_t kAtOnce = std::size_t{1} << 26;
+    for (auto* part = static_cast<unsigned char*>(bytes); size > 0;) {
+        const std::size_t count = std::min(size, kAtOnce);
+        MPI_Reduce(isRoot() ? MPI_IN_PLACE : part, part, static_cast<int>(count), MPI_BYTE, MPI_BOR,
+                   0, MPI_COMM_WORLD);
+        part += count;
+        size -= count;
+    }
+}
+
 uint64_t Ranks::fromRoot(uint64_t number) const {
     if (size_ > 1) MPI_Bcast(&number, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
     return number;
@@ -111,6 +123,7 @@ void Ranks::abort(int exitCode) const {
 Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 void Ranks::addToRoot(std::vector<ErrorSums>& /*sums*/) const {}
+void Ranks::joinAtRoot(void* /*bytes*/, std::size_t /*size*/) const {}
 uint64_t Ranks::fromRoot(uint64_t number) const { return number; }
 bool Ranks::any(bool says) const { return says; }
 void Ranks::abort(int /*exitCode*/) const {}

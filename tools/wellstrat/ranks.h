@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The processes that work on one study together: those of mpirun, if the tool is built with MPI and
+// The processes that work on one task together: those of mpirun, if the tool is built with MPI and
 // was started by it, else this one alone.
 
 #pragma once
 
 #include "wellstrat/analysis/convergence.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -28,6 +29,8 @@ public:
 
     /// Replaces `sums` of rank 0 by the sums over all processes.
     void addToRoot(std::vector<ErrorSums>& sums) const;
+    /// Replaces the bytes of rank 0 by the bitwise or over all processes.
+    void joinAtRoot(void* bytes, std::size_t size) const;
     /// The number that rank 0 gives.
     uint64_t fromRoot(uint64_t number) const;
     /// Whether any process says so.

@@ -99,7 +99,11 @@ void sample(const SampleOptions& options) {
     if (writes) file = std::make_unique<OutputFile>(output);
     if (options.plot) {
         picture = std::make_unique<Picture>("--plot", *options.plot, options.keepPlotFiles);
-        picture->draw(sampleFigure(runs));
+        std::vector<SampleStream> streams;
+        for (const SampleRun& run : runs) {
+            streams.push_back({run.generator->name, drawPoints(run)});
+        }
+        picture->draw(sampleFigure(streams));
     }
     if (file) {
         writeSamples(runs.front(), format, *file);

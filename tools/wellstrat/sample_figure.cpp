@@ -110,18 +110,18 @@ std::string panelScript(const StrataPanel& panel, size_t number) {
 
 } // namespace
 
-Plot sampleFigure(const std::vector<SampleRun>& runs) {
+Plot sampleFigure(const std::vector<SampleStream>& streams) {
     PlotData data;
     std::string panels;
     size_t count = 0;
-    for (const SampleRun& run : runs) {
-        for (const StrataPanel& panel : strataPanels(run)) {
+    for (const SampleStream& stream : streams) {
+        for (const StrataPanel& panel : strataPanels(stream)) {
             writeData(data, panel, count);
             panels += panelScript(panel, count);
             ++count;
         }
     }
-    const size_t rows = runs.front().dims == 3 ? runs.size() : 1;
+    const size_t rows = streams.front().points.dims() >= 3 ? streams.size() : 1;
     const size_t columns = count / rows;
     const std::string script = fmt::format("{}set multiplot layout {},{}\n{}\nunset multiplot\n",
                                            kStyle, rows, columns, panels);

@@ -28,4 +28,11 @@ const NamedGenerator& findGenerator(const std::string& option, const std::string
         fmt::format("{}: no generator is called '{}'; there are {}", option, name, names));
 }
 
+UnitPoints drawPoints(const SampleRun& run) {
+    std::vector<double> values;
+    values.reserve(run.count * run.dims);
+    drawSamples(run, [&](const float* xi) { values.insert(values.end(), xi, xi + run.dims); });
+    return {values.data(), run.count, run.dims};
+}
+
 } // namespace wellstrat::cli

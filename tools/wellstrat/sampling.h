@@ -5,6 +5,7 @@
 #pragma once
 
 #include "RixRNG.h"
+#include "wellstrat/analysis/unit_points.h"
 
 #include <cstdint>
 #include <string>
@@ -58,5 +59,8 @@ void drawSamples(const SampleRun& run, Visitor&& visit) {
         visit(static_cast<const float*>(xi));
     }
 }
+
+/// The samples as a point set.
+UnitPoints drawPoints(const SampleRun& run);
 
 } // namespace wellstrat::cli

@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace wellstrat::cli {
 namespace {
 
@@ -13,40 +16,39 @@ unsigned log2Floor(uint64_t n) {
     return log;
 }
 
-unsigned stratumOf(float value, unsigned count) {
-    return static_cast<unsigned>(value * static_cast<float>(count));
-}
+unsigned stratumOf(double value, unsigned count) { return static_cast<unsigned>(value * count); }
 
-std::vector<PanelAxis> coordinateAxes(const SampleRun& run) {
+std::vector<PanelAxis> coordinateAxes(const UnitPoints& points) {
     std::vector<PanelAxis> axes;
-    const char* const names = run.dims == 1 ? "z" : "xyz";
-    for (unsigned d = 0; d < run.dims; ++d) axes.push_back({std::string(1, names[d]), {}});
-    drawSamples(run, [&](const float* xi) {
-        for (unsigned d = 0; d < run.dims; ++d) axes[d].values.push_back(xi[d]);
-    });
+    const char* const names = points.dims() == 1 ? "z" : "xyz";
+    for (unsigned d = 0; d < std::min(points.dims(), 3u); ++d) {
+        const double* const values = points.coordinate(d);
+        axes.push_back({std::string(1, names[d]), {values, values + points.count()}});
+    }
     return axes;
 }
 
-PanelAxis orderAxis(uint64_t count) {
+PanelAxis orderAxis(std::size_t count) {
     PanelAxis axis{"order of samples", {}};
-    for (uint64_t i = 0; i < count; ++i) {
-        axis.values.push_back((static_cast<float>(i) + 0.5f) / static_cast<float>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        axis.values.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(count));
     }
     return axis;
 }
 
 } // namespace
 
-std::vector<StrataPanel> strataPanels(const SampleRun& run) {
-    const unsigned m = log2Floor(run.count);
+std::vector<StrataPanel> strataPanels(const SampleStream& stream) {
+    const std::size_t count = stream.points.count();
+    const unsigned m = log2Floor(count);
     const unsigned strata = 1u << m, side = 1u << (m / 2);
-    const std::string title = fmt::format("{}: {} {}", run.generator->name, run.count,
-                                          run.count == 1 ? "sample" : "samples");
-    const std::vector<PanelAxis> axes = coordinateAxes(run);
-    if (run.dims == 1) return {{title, axes[0], orderAxis(run.count), strata, strata, 1, false}};
+    const std::string title =
+        fmt::format("{}: {} {}", stream.name, count, count == 1 ? "sample" : "samples");
+    const std::vector<PanelAxis> axes = coordinateAxes(stream.points);
+    if (axes.size() == 1) return {{title, axes[0], orderAxis(count), strata, strata, 1, false}};
     std::vector<StrataPanel> panels;
-    for (unsigned a = 0; a < run.dims; ++a) {
-        for (unsigned b = a + 1; b < run.dims; ++b) {
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        for (std::size_t b = a + 1; b < axes.size(); ++b) {
             panels.push_back({title, axes[a], axes[b], strata, side, side, true});
         }
     }
@@ -55,7 +57,7 @@ std::vector<StrataPanel> strataPanels(const SampleRun& run) {
 
 std::vector<unsigned> strataCounts(const PanelAxis& axis, unsigned count) {
     std::vector<unsigned> counts(count);
-    for (const float value : axis.values) ++counts[stratumOf(value, count)];
+    for (const double value : axis.values) ++counts[stratumOf(value, count)];
     return counts;
 }
 

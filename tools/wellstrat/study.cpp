@@ -4,8 +4,10 @@
 
 #include "commands.h"
 #include "errors.h"
+#include "interrupt.h"
 #include "options.h"
 #include "output_file.h"
+#include "study_options.h"
 #include "study_output.h"
 #include "study_sources.h"
 #include "study_state.h"
@@ -26,42 +28,6 @@
 namespace wellstrat::cli {
 namespace {
 
-constexpr auto kExamples =
-    R"(Each integrand is estimated by the mean over the first N points of each pattern; the RMSE is
-over patterns 0, 1, 2, ... Integrands: 'wellstrat study --list'. A product over several domains is
-written disk^3 or disk*linear; classic, edges, sines, boxes, pixels, products, 1d and 3d stand for
-several. Counts: 4,16,100 or all:1..4096 or pow2:4..4096.
-
-Ctrl-C writes the results of the patterns that are finished, and FILE.state, from which the same
-command with --resume goes on (also with more --patterns). Built with MPI, the same command under
-mpirun splits the work. Threads and processes change no bit of the results.
-
-Examples:
-  wellstrat study --list
-  wellstrat study --integrands disk,gaussian --counts pow2:4..1024
-  wellstrat study --generators pmj,halton --integrands disk^2 --counts all:1..64 -o results.csv
-  wellstrat study --integrands classic --patterns 100 --plot error.svg
-
-Exit codes: 0 done, 2 error, 130 interrupted.
-)";
-
-constexpr int kExitInterrupted = 130;
-
-struct StudyOptions {
-    std::vector<std::string> generators{"pmj", "random"};
-    std::vector<std::string> integrands{"classic"};
-    std::string counts = "pow2:4..4096";
-    std::string table = "16,64,256,1024,4096";
-    uint64_t patterns = 1000;
-    uint64_t fitFrom = 16;
-    uint64_t saveEvery = 30;
-    std::optional<std::string> output;
-    std::optional<std::string> plot;
-    bool keepPlotFiles = false;
-    bool resume = false;
-    bool list = false;
-};
-
 std::string listText() {
     std::string text = "Generators\n";
     const auto out = std::back_inserter(text);
@@ -69,7 +35,7 @@ std::string listText() {
         fmt::format_to(out, "  {:<18} {}\n", name, what);
     };
     for (const StudySourceKind& kind : studySourceKinds()) row(kind.name, kind.description);
-    row("file:PATH", "the points of a file, one pattern");
+    row("file:PATH", "the points of a file; NumPy arrays may hold many patterns");
     text += "\nIntegrands, with the dimensions of their domains\n";
     for (const IntegrandFamily& family : integrandFamilies()) {
         row(family.name,
@@ -124,21 +90,17 @@ std::vector<uint32_t> tableColumns(const StudyOptions& options, const StudyPlan&
     return columns.empty() ? std::vector<uint32_t>{plan.counts.back()} : columns;
 }
 
-bool writesToFile(const StudyOptions& options) { return options.output && *options.output != "-"; }
-
-std::string statePath(const StudyOptions& options) { return *options.output + ".state"; }
-
 StudyResult startOf(const StudyOptions& options, const StudyPlan& plan) {
     if (options.resume) {
-        if (!writesToFile(options))
+        if (!options.writesToFile())
             throw CliError("--resume needs -o FILE, beside which is FILE.state");
-        return loadState(statePath(options), plan);
+        return loadState(options.statePath(), plan);
     }
-    if (writesToFile(options) && std::filesystem::exists(statePath(options))) {
+    if (options.writesToFile() && std::filesystem::exists(options.statePath())) {
         throw CliError(
             fmt::format("'{}' is of an unfinished study; go on with --resume, or remove "
                         "it",
-                        statePath(options)));
+                        options.statePath()));
     }
     return {0, std::vector<ErrorSums>(plan.cells())};
 }
@@ -164,8 +126,8 @@ public:
         if (Clock::now() - last_ >= std::chrono::seconds(options_.saveEvery)) save();
     }
     void save() {
-        if (!writesToFile(options_)) return;
-        saveState(statePath(options_), plan_, result_);
+        if (!options_.writesToFile()) return;
+        saveState(options_.statePath(), plan_, result_);
         last_ = Clock::now();
     }
 
@@ -190,11 +152,11 @@ int finish(const StudyOptions& options, const StudyPlan& plan, const StudyResult
         }
     }
     if (complete) {
-        if (writesToFile(options)) std::filesystem::remove(statePath(options));
+        if (options.writesToFile()) std::filesystem::remove(options.statePath());
         return 0;
     }
     fmt::print(stderr, "wellstrat: interrupted after {} of {} patterns{}\n", result.patterns,
-               plan.patterns, writesToFile(options) ? "; --resume goes on" : "");
+               plan.patterns, options.writesToFile() ? "; --resume goes on" : "");
     return kExitInterrupted;
 }
 
@@ -252,51 +214,13 @@ int studyOnRanks(const StudyOptions& options) {
     return kExitError;
 }
 
-void addOutputs(CLI::App& command, StudyOptions& options) {
-    command
-        .add_option("-o,--output", options.output,
-                    "The results: FILE.csv, FILE.json, or - for CSV instead of the table")
-        ->type_name("FILE");
-    CLI::Option* const plot =
-        command.add_option("--plot", options.plot, "Draw: FILE.png, FILE.svg or FILE.pdf")
-            ->type_name("FILE");
-    command
-        .add_flag("--keep-plot-files", options.keepPlotFiles,
-                  "Keep the data (FILE.dat) and the gnuplot script (FILE.gp) of the plot")
-        ->needs(plot);
-    command.add_flag("--resume", options.resume, "Go on from FILE.state");
-    addNumber(command, "--save-every", options.saveEvery, {0, 86400},
-              "Seconds between savings of FILE.state while it runs [30]");
-}
-
 } // namespace
 
 void addStudy(CLI::App& app, int& exitCode) {
     CLI::App* const command =
         app.add_subcommand("study", "Measure the error of integrals against the number of points");
     const auto options = std::make_shared<StudyOptions>();
-    command->add_flag("--list", options->list, "Print generators and integrands and exit");
-    const auto addNames = [&](const char* flag, std::vector<std::string>& names,
-                              const char* description) {
-        command->add_option(flag, names, description)
-            ->delimiter(',')
-            ->allow_extra_args(false)
-            ->type_name("NAME,NAME");
-    };
-    addNames("--generators", options->generators, "What draws the points [pmj,random]");
-    addNames("--integrands", options->integrands, "Integrands and groups [classic]");
-    command->add_option("--counts", options->counts, "Numbers of points [pow2:4..4096]")
-        ->type_name("COUNTS");
-    addNumber(*command, "--patterns", options->patterns, {1, kMaxStudyPatterns},
-              "Patterns of each generator [1000]");
-    command
-        ->add_option("--table", options->table,
-                     "Numbers of points in the printed table [16,64,256,1024,4096]")
-        ->type_name("COUNTS");
-    addNumber(*command, "--fit-from", options->fitFrom, {1, kMaxStudyPoints},
-              "Fit slopes from this number of points on [16]");
-    addOutputs(*command, *options);
-    command->footer(kExamples);
+    addStudyOptions(*command, *options);
     command->callback([options, &exitCode] { exitCode = studyOnRanks(*options); });
 }
 

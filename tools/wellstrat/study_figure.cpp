@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "curve_style.h"
 #include "study_output.h"
 
 #include <fmt/format.h>
@@ -14,12 +15,6 @@ namespace {
 constexpr unsigned kPanelWidth = 480;
 constexpr unsigned kPanelHeight = 400;
 
-/// Dashes show curves that lie on each other.
-constexpr std::size_t kDashTypes = 5;
-
-/// Paul Tol's bright qualitative scheme, https://personal.sron.nl/~pault/
-constexpr unsigned kColors[]{0x4477aa, 0xee6677, 0x228833, 0xccbb44, 0x66ccee, 0xaa3377, 0xbbbbbb};
-
 constexpr auto kStyle = R"(set logscale xy
 set format x '%g'
 set format y '10^{%T}'
@@ -29,18 +24,6 @@ set ylabel 'RMSE'
 set key bottom left samplen 2 spacing 1 noenhanced
 set style fill transparent solid 0.2 noborder
 )";
-
-/// A name without what means something to gnuplot.
-std::string plainName(const std::string& name) {
-    std::string plain;
-    for (const char c : name) {
-        const bool accepted = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                              (c >= '0' && c <= '9') ||
-                              std::string("+-*/^.:_ ").find(c) != std::string::npos;
-        plain += accepted ? c : '?';
-    }
-    return plain;
-}
 
 /// A logarithmic axis has no place for an error of 0.
 std::string curveData(const StudyPlan& plan, const StudyCurve& curve) {
@@ -59,12 +42,11 @@ std::string curveData(const StudyPlan& plan, const StudyCurve& curve) {
 /// What draws curve `number` in color `place`; the last one of a panel ends the command.
 std::string curveCommand(const StudyCurve& curve, std::size_t number, std::size_t place,
                          bool last) {
-    const unsigned color = kColors[place % std::size(kColors)];
     return fmt::format(
-        "     data index 'curve{0}' using 1:3:4 with filledcurves lc rgb 0x{1:06x} notitle, \\\n"
-        "     data index 'curve{0}' using 1:2 with linespoints pt 7 ps 0.3 dt {2} "
-        "lc rgb 0x{1:06x} title '{3}'{4}\n",
-        number, color, place % kDashTypes + 1, plainName(curve.source->name), last ? "" : ", \\");
+        "     data index 'curve{0}' using 1:3:4 with filledcurves lc rgb {1} notitle, \\\n"
+        "     data index 'curve{0}' using 1:2 with linespoints pt 7 ps 0.3 {2} title '{3}'{4}\n",
+        number, curveColor(place), curveStyle(place), plainName(curve.source->name),
+        last ? "" : ", \\");
 }
 
 } // namespace

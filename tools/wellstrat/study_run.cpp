@@ -2,6 +2,7 @@
 
 #include "study_run.h"
 
+#include "interrupt.h"
 #include "progress.h"
 
 #include <tbb/parallel_for.h>
@@ -9,38 +10,11 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <map>
 #include <mutex>
 
 namespace wellstrat::cli {
 namespace {
-
-std::atomic<bool> interrupted{false};
-
-void interrupt(int /*signal*/) { interrupted = true; }
-
-/// While it exists, the first of these signals sets `interrupted`; the next ends the program.
-class InterruptGuard {
-public:
-    InterruptGuard() {
-        struct sigaction action {};
-        action.sa_handler = interrupt;
-        action.sa_flags = static_cast<int>(SA_RESETHAND);
-        sigaction(SIGINT, &action, &oldInt_);
-        sigaction(SIGTERM, &action, &oldTerm_);
-    }
-    ~InterruptGuard() {
-        sigaction(SIGINT, &oldInt_, nullptr);
-        sigaction(SIGTERM, &oldTerm_, nullptr);
-    }
-    InterruptGuard(const InterruptGuard&) = delete;
-    InterruptGuard& operator=(const InterruptGuard&) = delete;
-
-private:
-    struct sigaction oldInt_ {
-    }, oldTerm_{};
-};
 
 /// Integrands that take the same points: one draw serves them all.
 struct Group {
@@ -77,7 +51,7 @@ public:
         const uint64_t tasks = chunks * groups_.size();
         std::atomic<uint64_t> finished{0};
         tbb::parallel_for(uint64_t{0}, tasks, [&](uint64_t task) {
-            if (interrupted) return;
+            if (InterruptGuard::interrupted) return;
             const uint64_t begin = patterns.begin + task / groups_.size() * kChunk;
             add(task % groups_.size(), {begin, std::min(begin + kChunk, patterns.end)});
             done(static_cast<double>(++finished) / static_cast<double>(tasks));

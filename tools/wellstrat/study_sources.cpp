@@ -19,37 +19,40 @@ namespace {
 
 constexpr const char* kFilePrefix = "file:";
 
-/// One pattern: the points of a file.
+/// The points of a file, of one pattern or many. Domains take one coordinate after the other.
 class FileSource final : public PointSource {
 public:
-    explicit FileSource(PointTable table) : table_(std::move(table)) {}
+    explicit FileSource(PatternTable table) : table_(std::move(table)) {}
 
-    void draw(uint32_t /*pattern*/, const DomainDims& domains, std::size_t count,
+    void draw(uint32_t pattern, const DomainDims& domains, std::size_t count,
               double* points) const override {
-        const unsigned dims = totalDims(domains);
-        for (std::size_t i = 0; i < count; ++i) {
-            const double* const point = table_.values.data() + i * table_.dims;
+        const unsigned dims = totalDims(domains), dimsInFile = table_.points.dims;
+        const double* point =
+            table_.points.values.data() + pattern * table_.pointsEach() * dimsInFile;
+        for (std::size_t i = 0; i < count; ++i, point += dimsInFile) {
             std::copy(point, point + dims, points + i * dims);
         }
     }
 
     void check(const DomainDims& domains, std::size_t count, uint64_t patterns) const override {
-        if (totalDims(domains) > table_.dims || count > table_.count() || patterns > 1) {
+        if (totalDims(domains) > table_.points.dims || count > table_.pointsEach() ||
+            patterns > table_.patterns) {
             throw std::invalid_argument(fmt::format(
-                "the file has one pattern of {} points in {} dimensions, not {} of {} in {}",
-                table_.count(), table_.dims, patterns, count, totalDims(domains)));
+                "the file has {} patterns of {} points in {} dimensions, not {} of {} in {}",
+                table_.patterns, table_.pointsEach(), table_.points.dims, patterns, count,
+                totalDims(domains)));
         }
     }
 
 private:
-    PointTable table_;
+    PatternTable table_;
 };
 
 PointSourcePtr makeSource(const std::string& name) {
     if (name.rfind(kFilePrefix, 0) == 0) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
-        return std::make_unique<FileSource>(readPoints(options));
+        return std::make_unique<FileSource>(readPatterns(options));
     }
     std::string names;
     for (const StudySourceKind& kind : studySourceKinds()) {

@@ -25,7 +25,8 @@ std::vector<StudySourceKind> studySourceKinds();
 /// The generators of GSL and Boost; none of a library that this build does not have.
 std::vector<StudySourceKind> librarySourceKinds();
 
-/// The sources with these names. "file:PATH" is a file of points. Throws CliError.
+/// The sources with these names. "file:PATH" is a file of points, of one pattern or, as a NumPy
+/// array with the axes (patterns, points, coordinates), of many. Throws CliError.
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names);
 
 } // namespace wellstrat::cli
