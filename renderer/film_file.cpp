@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "film_file.h"
+
+#include "memory.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace wellstrat::render {
+namespace {
+
+const std::string kPrefix = "wellstrat:";
+const std::string kSamples = "samples"; ///< no setting is called so
+
+/// The channels of an exact film: first those for the eye, then the words that are read back.
+constexpr int kColors = 3;
+constexpr int kWordsOfSum = 4;
+
+std::vector<std::string> fixedWordNames() {
+    std::vector<std::string> names{"count", "invalid"};
+    for (const char* sum : {"red", "green", "blue", "square"}) {
+        for (int word = 0; word < kWordsOfSum; ++word) {
+            names.push_back(fmt::format("sum.{}.{}", sum, word));
+        }
+    }
+    return names;
+}
+
+std::string countName(const SampleRange& range) { return fmt::format("count.{}", range.begin); }
+
+std::vector<std::string> wordNames(const std::vector<SampleRange>& ranges) {
+    std::vector<std::string> names = fixedWordNames();
+    for (const SampleRange& range : ranges) {
+        if (!range.counts.empty()) names.push_back(countName(range));
+    }
+    return names;
+}
+
+uint32_t bitsOf(float value) {
+    uint32_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+/// Visits the words of a pixel in the order of their names.
+template <typename Pixel, typename Visit>
+void visitWords(Pixel& sums, Visit&& visit) {
+    visit(sums.count, 0);
+    visit(sums.invalid, 0);
+    for (auto* sum : {&sums.color[0], &sums.color[1], &sums.color[2], &sums.square}) {
+        for (int word = 0; word < kWordsOfSum; ++word) visit(*sum, 32 * word);
+    }
+}
+
+std::string rangesText(const std::vector<SampleRange>& ranges) {
+    std::string text;
+    for (const SampleRange& range : ranges) {
+        text += fmt::format("{}{}:{}", text.empty() ? "" : " ", range.begin, range.end);
+    }
+    return text;
+}
+
+/// A picture being written to memory.
+class Encoder {
+public:
+    Encoder(const std::string& suffix, OIIO::ImageSpec spec)
+        : output_(OIIO::ImageOutput::create("film" + suffix)) {
+        if (!output_) throw std::runtime_error(OIIO::geterror());
+        void* proxy = &memory_;
+        spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+        spec.attribute("DateTime", "");
+        check(output_->open("film" + suffix, spec));
+    }
+    /// Rows from `begin` to `end` (exclusive), in the channels' own types.
+    void write(unsigned begin, unsigned end, const void* rows) {
+        check(output_->write_scanlines(static_cast<int>(begin), static_cast<int>(end), 0,
+                                       OIIO::TypeDesc::UNKNOWN, rows));
+    }
+    std::string finish() {
+        check(output_->close());
+        return {bytes_.begin(), bytes_.end()};
+    }
+
+private:
+    void check(bool success) const {
+        if (!success) throw std::runtime_error(output_->geterror());
+    }
+
+    std::vector<unsigned char> bytes_;
+    OIIO::Filesystem::IOVecOutput memory_{bytes_};
+    std::unique_ptr<OIIO::ImageOutput> output_;
+};
+
+OIIO::ImageSpec specOf(const Film& film, int channels, const OIIO::TypeDesc& type) {
+    return {static_cast<int>(film.width()), static_cast<int>(film.height()), channels, type};
+}
+
+/// 8 bits of sRGB, IEC 61966-2-1.
+unsigned char encodeSrgb(float linear) {
+    const float x = std::clamp(linear, 0.0f, 1.0f);
+    const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
+    return static_cast<unsigned char>(std::lround(255.0f * encoded));
+}
+
+template <typename T, typename Encode>
+std::string encodeColors(const Film& film, const std::string& suffix, const OIIO::TypeDesc& type,
+                         Encode encode) {
+    Encoder encoder(suffix, specOf(film, kColors, type));
+    std::vector<T> row(std::size_t{film.width()} * kColors);
+    for (unsigned y = 0; y < film.height(); ++y) {
+        auto to = row.begin();
+        for (unsigned x = 0; x < film.width(); ++x) {
+            const Float3 mean = film.mean(x, y);
+            for (int c = 0; c < kColors; ++c) *to++ = encode(mean[c]);
+        }
+        encoder.write(y, y + 1, row.data());
+    }
+    return encoder.finish();
+}
+
+/// A file being read.
+class Decoder {
+public:
+    explicit Decoder(const std::string& path) : input_(OIIO::ImageInput::open(path)) {
+        if (!input_) throw std::runtime_error(OIIO::geterror());
+    }
+    const OIIO::ImageSpec& spec() const { return input_->spec(); }
+
+    /// A row of all channels in their own types.
+    void read(unsigned y, std::vector<uint32_t>& row) {
+        const auto line = static_cast<int>(y);
+        if (!input_->read_scanlines(0, 0, line, line + 1, 0, 0, spec().nchannels,
+                                    OIIO::TypeDesc::UNKNOWN, row.data())) {
+            throw std::runtime_error(input_->geterror());
+        }
+    }
+
+private:
+    std::unique_ptr<OIIO::ImageInput> input_;
+};
+
+std::runtime_error damaged(const char* what) {
+    return std::runtime_error(fmt::format("it is damaged: {}", what));
+}
+
+/// Reads a number and moves `text` behind it.
+bool takeNumber(std::string_view& text, uint32_t& number) {
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    return error == std::errc();
+}
+
+bool take(std::string_view& text, char c) {
+    if (text.empty() || text[0] != c) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+std::vector<SampleRange> parseRanges(std::string_view text) {
+    std::vector<SampleRange> ranges;
+    do {
+        SampleRange range{};
+        const bool read =
+            takeNumber(text, range.begin) && take(text, ':') && takeNumber(text, range.end);
+        const uint32_t first = ranges.empty() ? 0 : ranges.back().end;
+        if (!read || range.begin < first || range.begin >= range.end) {
+            throw damaged("its sample ranges make no sense");
+        }
+        ranges.push_back(std::move(range));
+    } while (take(text, ' '));
+    if (!text.empty()) throw damaged("its sample ranges make no sense");
+    return ranges;
+}
+
+std::map<std::string, std::string> settingsOf(const OIIO::ImageSpec& spec) {
+    std::map<std::string, std::string> settings;
+    for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+        const std::string name = attribute.name().string();
+        if (name.compare(0, kPrefix.size(), kPrefix) == 0) {
+            settings[name.substr(kPrefix.size())] = attribute.get_string();
+        }
+    }
+    return settings;
+}
+
+void checkShape(const OIIO::ImageSpec& spec) {
+    const auto fits = [](int size) { return size > 0 && size <= int{kMaxFilmSize}; };
+    if (!fits(spec.width) || !fits(spec.height) || spec.depth != 1 || spec.x != 0 || spec.y != 0 ||
+        spec.tile_width != 0) {
+        throw damaged("its size makes no sense");
+    }
+    for (int c = 0; c < spec.nchannels; ++c) {
+        if (spec.channelformat(c).size() != sizeof(uint32_t)) {
+            throw damaged("a channel has another type");
+        }
+    }
+}
+
+/// Where the channels that have these names stand.
+std::vector<std::size_t> channelsOf(const OIIO::ImageSpec& spec,
+                                    const std::vector<std::string>& names) {
+    std::vector<std::size_t> channels;
+    for (const std::string& name : names) {
+        const int channel = spec.channelindex(name);
+        if (channel < 0 || spec.channelformat(channel) != OIIO::TypeDesc::UINT) {
+            throw damaged("channels are missing");
+        }
+        channels.push_back(static_cast<std::size_t>(channel));
+    }
+    return channels;
+}
+
+uint64_t samplesOf(const std::vector<SampleRange>& ranges, std::size_t pixel) {
+    uint64_t samples = 0;
+    for (const SampleRange& range : ranges) {
+        samples += range.counts.empty() ? range.end - range.begin : range.counts[pixel];
+    }
+    return samples;
+}
+
+void checkCounts(const FilmPart& part) {
+    for (std::size_t i = 0; i < part.film.pixels().size(); ++i) {
+        for (const SampleRange& range : part.ranges) {
+            if (!range.counts.empty() && range.counts[i] > range.end - range.begin) {
+                throw damaged("a pixel has more samples than there are");
+            }
+        }
+        const PixelSums& sums = part.film.pixels()[i];
+        if (sums.count != samplesOf(part.ranges, i) || sums.invalid > sums.count) {
+            throw damaged("its numbers of samples contradict each other");
+        }
+    }
+}
+
+/// The ranges that are unfinished, with room for their counts.
+std::vector<SampleRange*> unfinishedRanges(const OIIO::ImageSpec& spec, FilmPart& part) {
+    std::vector<SampleRange*> unfinished;
+    for (SampleRange& range : part.ranges) {
+        if (spec.channelindex(countName(range)) < 0) continue;
+        range.counts.resize(part.film.pixels().size());
+        unfinished.push_back(&range);
+    }
+    return unfinished;
+}
+
+} // namespace
+
+std::string encodePart(const FilmPart& part) {
+    const Film& film = part.film;
+    const std::vector<std::string> names = wordNames(part.ranges);
+    const std::size_t channels = kColors + names.size();
+    OIIO::ImageSpec spec = specOf(film, static_cast<int>(channels), OIIO::TypeDesc::FLOAT);
+    spec.channelnames = {"R", "G", "B"};
+    spec.channelnames.insert(spec.channelnames.end(), names.begin(), names.end());
+    spec.channelformats.assign(channels, OIIO::TypeDesc::UINT);
+    std::fill_n(spec.channelformats.begin(), kColors, OIIO::TypeDesc::FLOAT);
+    spec.attribute(kPrefix + kSamples, rangesText(part.ranges));
+    for (const auto& [name, value] : part.settings) spec.attribute(kPrefix + name, value);
+
+    constexpr unsigned kBand = 16; // as many rows as ZIP compresses together
+    Encoder encoder(".exr", spec);
+    std::vector<uint32_t> band;
+    for (unsigned begin = 0; begin < film.height(); begin += kBand) {
+        const unsigned end = std::min(begin + kBand, film.height());
+        band.clear();
+        for (unsigned y = begin; y < end; ++y) {
+            for (unsigned x = 0; x < film.width(); ++x) {
+                const Float3 mean = film.mean(x, y);
+                for (int c = 0; c < kColors; ++c) band.push_back(bitsOf(mean[c]));
+                visitWords(film.pixel(x, y), [&band](auto value, int shift) {
+                    band.push_back(static_cast<uint32_t>(value >> shift));
+                });
+                for (const SampleRange& range : part.ranges) {
+                    if (range.counts.empty()) continue;
+                    band.push_back(range.counts[std::size_t{y} * film.width() + x]);
+                }
+            }
+        }
+        encoder.write(begin, end, band.data());
+    }
+    return encoder.finish();
+}
+
+std::string encodePicture(const Film& film, const std::string& suffix) {
+    if (suffix == ".png") {
+        return encodeColors<unsigned char>(film, suffix, OIIO::TypeDesc::UINT8, encodeSrgb);
+    }
+    if (suffix != ".hdr" && suffix != ".exr") {
+        throw std::runtime_error(fmt::format("no picture format has the suffix '{}'", suffix));
+    }
+    return encodeColors<float>(film, suffix, OIIO::TypeDesc::FLOAT, [](float c) { return c; });
+}
+
+FilmPart readPart(const std::string& path) {
+    Decoder decoder(path);
+    const OIIO::ImageSpec& spec = decoder.spec();
+    std::map<std::string, std::string> settings = settingsOf(spec);
+    const auto samples = settings.extract(kSamples);
+    if (samples.empty()) throw std::runtime_error("it has no exact sums of samples");
+    checkShape(spec);
+    const auto width = static_cast<unsigned>(spec.width);
+    const auto height = static_cast<unsigned>(spec.height);
+    requireMemory(filmMemory(width, height), fmt::format("its {}x{} pixels", width, height));
+
+    FilmPart part{Film(width, height), parseRanges(samples.mapped()), std::move(settings)};
+    const std::vector<SampleRange*> unfinished = unfinishedRanges(spec, part);
+    const std::vector<std::size_t> channels = channelsOf(spec, wordNames(part.ranges));
+    const auto stride = static_cast<std::size_t>(spec.nchannels);
+    std::vector<uint32_t> row(width * stride);
+    for (unsigned y = 0; y < height; ++y) {
+        decoder.read(y, row);
+        for (unsigned x = 0; x < width; ++x) {
+            const uint32_t* const words = &row[x * stride];
+            auto channel = channels.begin();
+            visitWords(part.film.pixel(x, y), [&](auto& value, int shift) {
+                value |= static_cast<std::decay_t<decltype(value)>>(words[*channel++]) << shift;
+            });
+            for (SampleRange* range : unfinished) {
+                range->counts[std::size_t{y} * width + x] = words[*channel++];
+            }
+        }
+    }
+    checkCounts(part);
+    return part;
+}
+
+} // namespace wellstrat::render

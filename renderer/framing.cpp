@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cameras and light for scenes that come without.
+
+#include "framing.h"
+#include "color.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace wellstrat::render {
+namespace {
+
+constexpr float kFramingFov = 0.6f; ///< radians, 34 degrees: a lens a little longer than normal
+
+void include(Bounds& bounds, Float3 point, float radius = 0) {
+    for (int c = 0; c < 3; ++c) {
+        bounds.low[c] = std::min(bounds.low[c], point[c] - radius);
+        bounds.high[c] = std::max(bounds.high[c], point[c] + radius);
+    }
+}
+
+bool isFinite(Float3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// To length 1 without overflow or underflow on the way. False for 0 and what is not finite.
+bool toUnitLength(Float3& v) {
+    const float largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0.0f) || !isFinite(v)) return false;
+    v /= largest;
+    v.Normalize();
+    return true;
+}
+
+bool hasLight(const Scene& scene) {
+    return !scene.lights.empty() ||
+           std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
+               return !isBlack(scene.materials[mesh.material].emission);
+           });
+}
+
+} // namespace
+
+float Bounds::radius() const {
+    const Float3 half = high * 0.5f - low * 0.5f;
+    return std::max(std::hypot(half.x, half.y, half.z), std::numeric_limits<float>::min());
+}
+
+Bounds sceneBounds(const Scene& scene) {
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    Bounds bounds{Float3(kInfinity), Float3(-kInfinity)};
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Float3 p : mesh.positions) include(bounds, p);
+        for (const Float3 p : mesh.positionsAtEnd) include(bounds, p);
+    }
+    for (const Sphere& sphere : scene.spheres) {
+        include(bounds, sphere.center, sphere.radius);
+        include(bounds, sphere.centerAtEnd.value_or(sphere.center), sphere.radius);
+    }
+    return bounds;
+}
+
+Camera lookAlong(Float3 position, Float3 direction, Float3 up, float verticalFov) {
+    if (!(verticalFov > 0.0f && verticalFov < 3.14159f))
+        throw std::invalid_argument(
+            "a camera's field of view must be above 0 and below 180 degrees");
+    if (!isFinite(position) || !toUnitLength(direction))
+        throw std::invalid_argument("a camera must look at a point other than its own position");
+    if (!toUnitLength(up))
+        throw std::invalid_argument("a camera's up vector must have a length above 0");
+    up -= direction * Dot(direction, up);
+    if (up.LengthSq() < 1e-8f)
+        throw std::invalid_argument("a camera's up vector must not lie along its view");
+    up.Normalize();
+    return {position, direction, up, verticalFov};
+}
+
+Camera lookAt(Float3 position, Float3 target, Float3 up, float verticalFov) {
+    Camera camera = lookAlong(position, target - position, up, verticalFov);
+    camera.focusDistance = Dot(target - position, camera.forward);
+    return camera;
+}
+
+Camera framingCamera(const Bounds& bounds, float aspect) {
+    const Float3 center = bounds.center();
+    const float halfAngle =
+        std::min(kFramingFov / 2, std::atan(std::tan(kFramingFov / 2) * aspect));
+    // A scene that is tiny for its place must not end up where the camera is.
+    const float radius = std::max(bounds.radius(), 1e-6f * center.Length());
+    const float distance = 1.05f * radius / std::sin(halfAngle);
+    Float3 towardCamera(0.5f, 0.4f, 1.0f);
+    towardCamera.Normalize();
+    return lookAt(center + towardCamera * distance, center, {0, 1, 0}, kFramingFov);
+}
+
+Environment framingLight() { return {}; }
+
+void addWhatIsMissing(Scene& scene) {
+    if (!hasLight(scene)) {
+        scene.environment = framingLight();
+        scene.notes.emplace_back("There is no light: a soft constant one is added.");
+    }
+    if (!scene.camera) {
+        scene.camera = framingCamera(sceneBounds(scene), scene.aspect);
+        scene.cameraIsAutomatic = true;
+        scene.notes.emplace_back("There is no camera: the picture shows the whole scene.");
+    }
+}
+
+} // namespace wellstrat::render

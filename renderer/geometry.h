@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What rays hit, by Embree.
+
+#pragma once
+
+#include "ray.h"
+#include "scene.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace wellstrat::render {
+
+/// Which point of which shape a ray hit.
+struct Hit {
+    uint32_t shape;     ///< the number of the mesh, or scene.meshes.size() for spheres
+    uint32_t primitive; ///< the number of the triangle or sphere
+    float u, v;         ///< of triangles: the weights of the second and the third corner
+    float distance;
+};
+
+/// All about the point that was hit.
+struct Surface {
+    SurfacePoint point;
+    Float3 shadingNormal; ///< unit length
+    Float2 uv;
+    const Material* material;
+};
+
+/// The shapes of a scene, which must outlive this. All functions may run in any thread, and what
+/// they return depends on nothing but their arguments: of several shapes at exactly the same
+/// distance, the first in the scene is hit.
+class Geometry {
+public:
+    /// Throws std::runtime_error if Embree cannot take the scene, usually for lack of memory.
+    explicit Geometry(const Scene& scene);
+    ~Geometry();
+    Geometry(const Geometry&) = delete;
+    Geometry& operator=(const Geometry&) = delete;
+
+    /// Finds the closest hit of a ray, at any distance above 0 and below its maxDistance.
+    bool closestHit(const Ray& ray, Hit& hit) const;
+
+    /// Is there any hit between 0 and maxDistance?
+    bool occluded(const Ray& ray) const;
+
+    /// The surface at a hit of `ray`. All vectors are finite, whatever the scene holds.
+    Surface surface(const Ray& ray, const Hit& hit) const;
+
+private:
+    struct Embree;
+    const Scene& scene_;
+    std::unique_ptr<const Embree> embree_;
+};
+
+} // namespace wellstrat::render

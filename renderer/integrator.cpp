@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "integrator.h"
+
+#include "color.h"
+#include "sampling_domains.h"
+
+#include <RixShadingUtils.h>
+
+#include <algorithm>
+
+namespace wellstrat::render {
+
+namespace {
+
+/// From this bounce on, paths may end by Russian roulette.
+constexpr unsigned kRouletteBounce = 2;
+
+/// Even paths that lose nothing end at some time.
+constexpr float kLargestSurvival = 0.95f;
+
+/// Russian roulette (Arvo and Kirk 1990, "Particle Transport and Image Synthesis"): returns false
+/// if the path ends, and makes up for those that did. Unstratified: whether paths end has nothing
+/// to gain from strata, and it must not use up anyone else's.
+bool survives(RixRNG::SampleCtx roulette, Float3& throughput) {
+    const float survival = std::min(largestChannel(throughput), kLargestSurvival);
+    if (!(HashToRandom(roulette.patternid, roulette.sampleid) < survival)) return false;
+    throughput /= survival;
+    return true;
+}
+
+} // namespace
+
+Integrator::Integrator(const Scene& scene, unsigned width, unsigned height,
+                       const SamplingOptions& options)
+    : options_(options), camera_(*scene.camera, width, height), geometry_(scene),
+      directLight_(scene, geometry_, options) {}
+
+uint64_t Integrator::radiance(unsigned count, const CameraSample* samples, PathBatch& batch,
+                              Float3* results) const {
+    std::fill_n(results, count, Float3(0.0f));
+    for (unsigned i = 0; i < count; ++i) {
+        const CameraSample& s = samples[i];
+        batch.contexts[i] =
+            cameraContext(static_cast<int>(s.x), static_cast<int>(s.y), options_.seed, s.sampleid);
+    }
+    RixRNG rng(batch.contexts, count, options_.generator);
+    startPaths(rng, samples, batch);
+
+    uint64_t rays = 0;
+    for (unsigned bounce = 0; rng.numPts > 0; ++bounce) {
+        rays += rng.numPts;
+        rng.numPts = findHits(rng.numPts, bounce, batch, results);
+        rng = RixRNG(rng, kHitScramble, batch.contexts); // each hit's domain, from the last one's
+        directLight_.sample(rng, bounce, batch, results);
+        rng.numPts = scatter(rng, bounce, batch);
+    }
+    return rays;
+}
+
+/// Makes the camera rays.
+void Integrator::startPaths(const RixRNG& camera, const CameraSample* samples,
+                            PathBatch& batch) const {
+    RtFloat2 inPicture[kBatchSize];
+    RtFloat2 onLens[kBatchSize];
+    float times[kBatchSize];
+    RixRNG(camera, kPixelFilterScramble, batch.domain).DrawSamples2D(inPicture);
+    RixRNG(camera, kLensScramble, batch.domain).DrawSamples2D(onLens);
+    RixRNG(camera, kTimeScramble, batch.domain).DrawSamples1D(times);
+    for (unsigned i = 0; i < camera.numPts; ++i) {
+        const Float2 center(static_cast<float>(samples[i].x) + 0.5f,
+                            static_cast<float>(samples[i].y) + 0.5f);
+        const Float2 position = center + filter_.offset(inPicture[i]);
+        batch.paths[i] = Path{i, camera_.ray(position, onLens[i], times[i])};
+    }
+}
+
+/// Follows all rays to what they meet, and adds the light that comes from there. Returns how many
+/// paths go on from there.
+unsigned Integrator::findHits(unsigned count, unsigned bounce, PathBatch& batch,
+                              Float3* results) const {
+    unsigned left = 0;
+    for (unsigned i = 0; i < count; ++i) {
+        const Path& path = batch.paths[i];
+        Hit hit;
+        if (!geometry_.closestHit(path.ray, hit)) {
+            results[path.point] += directLight_.fromEnvironment(path);
+            continue;
+        }
+        const Surface surface = geometry_.surface(path.ray, hit);
+        results[path.point] += directLight_.fromSurface(path, hit, surface);
+        if (bounce > options_.depth) continue;
+        batch.vertices[left] = {surface.point,
+                                Bxdf(*surface.material, surface.uv, surface.point.normal,
+                                     surface.shadingNormal, -path.ray.direction)};
+        batch.paths[left] = path;
+        batch.contexts[left] = batch.contexts[i];
+        ++left;
+    }
+    return left;
+}
+
+/// Sends all paths on in a direction of their bxdf. Returns how many are left.
+unsigned Integrator::scatter(const RixRNG& hits, unsigned bounce, PathBatch& batch) const {
+    RixRNG(hits, kBxdfScramble, batch.domain).DrawSamples2D(batch.xi);
+    unsigned left = 0;
+    for (unsigned i = 0; i < hits.numPts; ++i) {
+        Path path = batch.paths[i];
+        BxdfSample bxdf;
+        if (!batch.vertices[i].bxdf.sample(batch.xi[i], bxdf)) continue;
+        path.throughput = multiply(path.throughput, bxdf.weight);
+        if (bounce >= kRouletteBounce &&
+            !survives(hits.NewDomain(i, kRouletteScramble), path.throughput)) {
+            continue;
+        }
+        path.bxdfPdf = bxdf.pdf;
+        path.ray = leave(batch.vertices[i].point, bxdf.direction, path.ray.time);
+        batch.paths[left] = path;
+        hits.sampleCtxArray[left] = hits.sampleCtxArray[i];
+        ++left;
+    }
+    return left;
+}
+
+} // namespace wellstrat::render

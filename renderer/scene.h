@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is rendered: plain data, filled by the built-in scenes and by scene files. World space is
+// right-handed, y points up unless a scene says otherwise; colors are linear Rec. 709; lengths are
+// in the scene's own unit, radiance in W / (m^2 sr).
+
+#pragma once
+
+#include "texture.h"
+
+#include "wellstrat/vector.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wellstrat::render {
+
+using TexturePtr = std::shared_ptr<const Texture>;
+
+/// The metallic-roughness material of glTF 2.0. A texture multiplies the factor beside it.
+/// Surfaces are opaque and scatter on both sides; they emit on the side of the geometric normal,
+/// or on both if `doubleSided`.
+struct Material {
+    Float3 baseColor = Float3(0.8f);
+    float metallic = 0;
+    float roughness = 1; ///< of glTF: the alpha of GGX is its square
+    Float3 emission = Float3(0.0f);
+    bool doubleSided = false;
+    /// 0.04 is a dielectric of index of refraction 1.5; 0 makes a non-metal an ideal Lambertian.
+    float specularF0 = 0.04f;
+    TexturePtr baseColorTexture;         ///< decoded from sRGB
+    TexturePtr metallicRoughnessTexture; ///< y (green) is roughness, z (blue) is metallic
+    TexturePtr emissionTexture;          ///< decoded from sRGB
+};
+
+/// Triangles of one material. Indices are below positions.size(); the optional arrays are empty or
+/// as long as `positions`.
+struct Mesh {
+    std::vector<Float3> positions;      ///< at the opening of the shutter
+    std::vector<Float3> positionsAtEnd; ///< at its closing; empty: the mesh stands still
+    std::vector<Float3> normals;        ///< for shading; empty: flat
+    std::vector<Float2> uvs;
+    std::vector<std::array<uint32_t, 3>> triangles;
+    uint32_t material = 0;
+};
+
+/// An exact sphere.
+struct Sphere {
+    Float3 center;
+    float radius;
+    uint32_t material;
+    std::optional<Float3> centerAtEnd; ///< at the closing of the shutter
+};
+
+/// A light without extent.
+struct PunctualLight {
+    enum class Kind { point, spot, directional };
+    Kind kind;
+    Float3 position;    ///< not of directional lights
+    Float3 direction;   ///< unit length, the way light goes; not of point lights
+    Float3 intensity;   ///< W / sr; directional: irradiance on a plane across it, W / m^2
+    float cosInner = 1; ///< of spots: full intensity inside the inner cone, none outside the
+    float cosOuter = 0; ///< outer one, between them as glTF's KHR_lights_punctual says
+};
+
+/// Light from infinitely far away.
+struct Environment {
+    Float3 radiance = Float3(1.0f); ///< multiplies the map
+    /// Latitude-longitude: the first row is up (+y), the middle column -z, right of it +x.
+    TexturePtr map; ///< null: constant
+};
+
+/// A thin-lens camera.
+struct Camera {
+    Float3 position;
+    Float3 forward;          ///< unit length
+    Float3 up;               ///< unit length, across `forward`
+    float verticalFov;       ///< radians, in (0, pi)
+    float lensRadius = 0;    ///< 0: a pinhole
+    float focusDistance = 1; ///< along `forward`
+};
+
+struct Scene {
+    std::vector<Material> materials;
+    std::vector<Mesh> meshes;
+    std::vector<Sphere> spheres;
+    std::vector<PunctualLight> lights;
+    std::optional<Environment> environment;
+    std::optional<Camera> camera;
+    bool cameraIsAutomatic = false; ///< chosen by framing.h, for want of another
+    float aspect = 1;               ///< width / height that the scene was composed for
+    /// What was replaced or left out of a scene file, one plain sentence each, for the user.
+    std::vector<std::string> notes;
+};
+
+} // namespace wellstrat::render

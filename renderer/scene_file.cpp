@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scenes and environment maps from files.
+
+#include "scene_file.h"
+#include "framing.h"
+#include "import/child_process.h"
+#include "import/import_scene.h"
+#include "import/scene_pipe.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace wellstrat::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr unsigned kCpuSeconds = 600;
+
+/// "cannot read WHAT 'PATH': reason", the reason up to the end of its first line.
+std::runtime_error readError(const char* what, const std::string& path, std::string reason) {
+    reason.erase(
+        std::find_if(reason.begin(), reason.end(), [](unsigned char c) { return std::iscntrl(c); }),
+        reason.end());
+    return std::runtime_error(fmt::format("cannot read {} '{}': {}", what, path,
+                                          reason.empty() ? "not in a known format" : reason));
+}
+
+void requireFile(const std::string& path) {
+    if (fs::is_directory(path)) throw std::runtime_error("it is a folder");
+    if (!fs::exists(path)) throw std::runtime_error("no such file");
+    if (!fs::is_regular_file(path)) throw std::runtime_error("it is no ordinary file");
+    if (!std::ifstream(path)) throw std::runtime_error("it may not be read");
+}
+
+/// Calls `read` and turns what it throws into a `readError`.
+template <typename Read>
+auto readNamed(const char* what, const std::string& path, Read read) {
+    try {
+        requireFile(path);
+        return read();
+    } catch (const std::bad_alloc&) {
+        throw readError(what, path, "there is not enough memory");
+    } catch (const std::exception& error) {
+        throw readError(what, path, error.what());
+    }
+}
+
+/// What `make` makes, in a process of its own.
+template <typename Make>
+Scene makeInChild(Make make) {
+    Scene scene;
+    const auto send = [&](int pipe) {
+        readTexturesInOneThread();
+        try {
+            sendScene(make(), pipe);
+        } catch (const std::bad_alloc&) {
+            sendFailure("there is not enough memory", pipe);
+        } catch (const std::exception& error) {
+            sendFailure(error.what(), pipe);
+        }
+    };
+    runInChild(
+        send, [&](int pipe) { scene = receiveScene(pipe); }, kCpuSeconds);
+    return scene;
+}
+
+} // namespace
+
+Scene readScene(const std::string& path) {
+    return readNamed("scene", path, [&] {
+        Scene scene = makeInChild([&] { return importScene(path); });
+        if (scene.meshes.empty())
+            throw std::runtime_error("there are no triangles to render in it");
+        addWhatIsMissing(scene);
+        return scene;
+    });
+}
+
+Environment readEnvironment(const std::string& path) {
+    return readNamed("environment map", path, [&] {
+        const Scene scene = makeInChild([&] {
+            Scene result;
+            result.environment.emplace();
+            result.environment->map =
+                std::make_shared<const Texture>(readTexture(path, Encoding::sRgb));
+            return result;
+        });
+        return scene.environment.value();
+    });
+}
+
+} // namespace wellstrat::render

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scenes and environment maps from files.
+
+#pragma once
+
+#include "scene.h"
+
+#include <string>
+
+namespace wellstrat::render {
+
+/// Reads a scene in any format that Assimp knows; glTF 2.0 and OBJ with MTL are those that say
+/// most. The scene can be rendered as it is: one without light gets a soft constant environment,
+/// one without camera gets one that shows all of it (`cameraIsAutomatic`). What was replaced or
+/// left out stands in `notes`. import/ has the conventions.
+///
+/// Throws std::runtime_error with one line: the file is missing, cannot be read, or has no
+/// triangles to render. Files that crash or hang Assimp are such errors too, for it runs in a
+/// process of its own; call this before starting threads.
+Scene readScene(const std::string& path);
+
+/// Reads a latitude-longitude map, a .hdr or .exr file, or any other that OpenImageIO reads.
+/// Throws std::runtime_error with one line.
+Environment readEnvironment(const std::string& path);
+
+} // namespace wellstrat::render

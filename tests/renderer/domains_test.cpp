@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which samples a path draws: those of the domain tree in renderer/README.md, each once. Guards
+// against what no mean shows: two uses of one sample are as correlated in any generator.
+
+#include "rendering.h"
+
+#include "renderer/sampling_domains.h"
+#include "wellstrat/random_generator.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+namespace wellstrat::render {
+namespace {
+
+using SampleCtx = RixRNG::SampleCtx;
+
+/// Random samples, and a list of all that were asked for.
+class Recorder final : public Generator {
+public:
+    float Sample1D(const SampleCtx& sc, unsigned i) const override {
+        record(sc);
+        return random_.Sample1D(sc, i);
+    }
+    Float2 Sample2D(const SampleCtx& sc, unsigned i) const override {
+        record(sc);
+        return random_.Sample2D(sc, i);
+    }
+    Float3 Sample3D(const SampleCtx& sc, unsigned i) const override {
+        record(sc);
+        return random_.Sample3D(sc, i);
+    }
+
+    /// How often the sample was drawn.
+    unsigned count(SampleCtx sc) const {
+        const auto found = counts_.find({sc.patternid, sc.sampleid});
+        return found == counts_.end() ? 0 : found->second;
+    }
+    unsigned largestCount() const {
+        unsigned largest = 0;
+        for (const auto& entry : counts_) largest = std::max(largest, entry.second);
+        return largest;
+    }
+    /// How many samples of a pattern were drawn.
+    unsigned samplesOf(SampleCtx sc) const {
+        unsigned sum = 0;
+        for (const auto& entry : counts_) sum += entry.first.first == sc.patternid;
+        return sum;
+    }
+
+private:
+    void record(const SampleCtx& sc) const {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        ++counts_[{sc.patternid, sc.sampleid}];
+    }
+
+    RandomGenerator random_;
+    mutable std::mutex mutex_;
+    mutable std::map<std::pair<unsigned, unsigned>, unsigned> counts_;
+};
+
+/// A white box with a lamp, from within, and an environment that is sampled but never seen: no path
+/// ends early.
+Scene closedBox() {
+    Scene scene;
+    addQuads(scene, box(Float3(0.0f), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}),
+             addMaterial(scene, lambertian(Float3(1.0f))));
+    scene.spheres.push_back({{0.3f, 0.3f, 0.3f},
+                             0.1f,
+                             addMaterial(scene,
+                                         [] {
+                                             Material lamp = lambertian(Float3(0.9f));
+                                             lamp.emission = Float3(1.0f);
+                                             return lamp;
+                                         }()),
+                             {}});
+    scene.environment.emplace().map =
+        std::make_shared<Texture>(2, 1, std::vector<Float3>(2, Float3(1.0f)));
+    scene.camera = lookAt({-0.5f, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.2f);
+    return scene;
+}
+
+constexpr unsigned kSide = 3;
+constexpr unsigned kSamples = 4;
+constexpr unsigned kSeed = 5;
+
+void record(const Recorder& recorder, unsigned split, bool distrib) {
+    SamplingOptions options = optionsOfDepth(2);
+    options.generator = &recorder;
+    options.seed = kSeed;
+    options.split = split;
+    options.distrib = distrib;
+    renderFilm(closedBox(), kSide, kSamples, options);
+}
+
+/// Calls check(camera context) for all samples of the picture.
+template <class Check>
+void forEachSample(const Check& check) {
+    for (int i = 0; i < static_cast<int>(kSide * kSide); ++i)
+        for (unsigned s = 0; s < kSamples; ++s) {
+            check(
+                cameraContext(i % static_cast<int>(kSide), i / static_cast<int>(kSide), kSeed, s));
+        }
+}
+
+TEST(Domains, AreThoseOfTheTree) {
+    const Recorder recorder;
+    record(recorder, 1, false);
+    EXPECT_EQ(recorder.largestCount(), 1u);
+    forEachSample([&](SampleCtx camera) {
+        EXPECT_EQ(recorder.count(camera), 0u); // parents are not drawn from
+        EXPECT_EQ(recorder.count(camera.NewDomain(kPixelFilterScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kLensScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kTimeScramble)), 1u);
+        SampleCtx hit = camera;
+        for (int bounce = 0; bounce < 2; ++bounce) {
+            hit = hit.NewDomain(kHitScramble);
+            EXPECT_EQ(recorder.count(hit), 0u);
+            for (const RixRNG::Scramble scramble :
+                 {kLightScramble, kEnvironmentScramble, kBxdfScramble}) {
+                EXPECT_EQ(recorder.count(hit.NewDomain(scramble)), 1u) << bounce;
+            }
+        }
+    });
+}
+
+/// The light samples of the first hits of a pixel use up one sequence from its beginning.
+TEST(Domains, SplitLightSamplesAreConsecutive) {
+    constexpr unsigned kSplit = 3;
+    const Recorder recorder;
+    record(recorder, kSplit, false);
+    EXPECT_EQ(recorder.largestCount(), 1u);
+    forEachSample([&](SampleCtx camera) {
+        const SampleCtx hit = camera.NewDomain(kHitScramble);
+        for (const RixRNG::Scramble scramble : {kLightScramble, kEnvironmentScramble}) {
+            SampleCtx light = hit.NewDomainSplit(scramble, kSplit);
+            EXPECT_EQ(light.sampleid, camera.sampleid * kSplit);
+            for (unsigned i = 0; i < kSplit; ++i, ++light.sampleid) {
+                EXPECT_EQ(recorder.count(light), 1u);
+            }
+            EXPECT_EQ(recorder.samplesOf(light), kSplit * kSamples);
+        }
+        EXPECT_EQ(recorder.count(hit.NewDomain(kBxdfScramble)), 1u);
+    });
+}
+
+/// Later hits have patterns of their own in each sample, and take as many as they are worth: here
+/// all, for nothing was lost at the first hit but on the lamp.
+TEST(Domains, DistributedLightSamplesBeginAtZero) {
+    constexpr unsigned kSplit = 3;
+    const Recorder recorder;
+    record(recorder, kSplit, true);
+    EXPECT_EQ(recorder.largestCount(), 1u);
+    forEachSample([&](SampleCtx camera) {
+        const SampleCtx hit = camera.NewDomain(kHitScramble).NewDomain(kHitScramble);
+        for (const RixRNG::Scramble scramble : {kLightScramble, kEnvironmentScramble}) {
+            const SampleCtx light = hit.NewDomainDistrib(scramble, 0);
+            EXPECT_EQ(recorder.samplesOf(light), kSplit);
+            EXPECT_EQ(recorder.count(light), 1u);
+            EXPECT_EQ(recorder.samplesOf(hit.NewDomain(scramble)), 0u);
+        }
+    });
+}
+
+/// The numbers of samples fall with the throughput.
+TEST(Domains, DistributionFollowsThroughput) {
+    Scene scene = closedBox();
+    scene.materials[0].baseColor = Float3(0.39f);
+    scene.materials[1].baseColor = Float3(0.39f);
+    const Recorder recorder;
+    SamplingOptions options = optionsOfDepth(2);
+    options.generator = &recorder;
+    options.split = 10;
+    options.distrib = true;
+    renderFilm(scene, 1, 1, options);
+    SampleCtx hit = cameraContext(0, 0, 0, 0).NewDomain(kHitScramble);
+    EXPECT_EQ(recorder.samplesOf(hit.NewDomain(kLightScramble)), 10u);
+    hit = hit.NewDomain(kHitScramble); // throughput 0.39
+    EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(kLightScramble, 0)), 4u);
+    hit = hit.NewDomain(kHitScramble); // 0.1521
+    EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(kLightScramble, 0)), 2u);
+}
+
+} // namespace
+} // namespace wellstrat::render

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cameras by look-at and by themselves.
+
+#include "renderer/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace wellstrat::render {
+namespace {
+
+TEST(LookAt, PointsTheCamera) {
+    const Camera camera = lookAt({1, 2, 3}, {1, 2, -7}, {0, 5, 1}, 0.5f);
+    EXPECT_EQ(camera.forward, Float3(0, 0, -1));
+    EXPECT_EQ(camera.up, Float3(0, 1, 0));
+    EXPECT_EQ(camera.focusDistance, 10.0f);
+    EXPECT_EQ(camera.lensRadius, 0.0f);
+}
+
+TEST(LookAt, WorksFarOutAndCloseUp) {
+    for (const float scale : {1e-30f, 1e-10f, 1e10f, 1e30f}) {
+        const Camera camera = lookAt(Float3(0.0f), {0, 0, scale}, {0, scale, 0}, 0.5f);
+        EXPECT_EQ(camera.forward, Float3(0, 0, 1));
+        EXPECT_EQ(camera.up, Float3(0, 1, 0));
+    }
+}
+
+TEST(LookAt, RefusesWhatSaysNothing) {
+    const Float3 eye(0, 0, 5), target(0.0f), up(0, 1, 0);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THROW(lookAt(eye, eye, up, 0.5f), std::invalid_argument);
+    EXPECT_THROW(lookAt(eye, target, {0, 0, 2}, 0.5f), std::invalid_argument);
+    EXPECT_THROW(lookAt(eye, target, Float3(0.0f), 0.5f), std::invalid_argument);
+    EXPECT_THROW(lookAt({nan, 0, 5}, target, up, 0.5f), std::invalid_argument);
+    EXPECT_THROW(lookAt(eye, {0, nan, 0}, up, 0.5f), std::invalid_argument);
+    for (const float fov : {0.0f, -1.0f, 3.15f, nan})
+        EXPECT_THROW(lookAt(eye, target, up, fov), std::invalid_argument);
+}
+
+/// Whether a point lies within the picture.
+bool isSeen(const Camera& camera, float aspect, Float3 point) {
+    const Float3 to = point - camera.position;
+    const float depth = Dot(to, camera.forward), half = std::tan(camera.verticalFov / 2) * depth;
+    return depth > 0 && std::abs(Dot(to, camera.up)) <= half &&
+           std::abs(Dot(to, Cross(camera.forward, camera.up))) <= half * aspect;
+}
+
+TEST(Framing, ShowsAllOfTheScene) {
+    for (const float aspect : {0.2f, 0.5f, 1.0f, 1.5f, 4.0f}) {
+        for (const Float3 size :
+             {Float3(1.0f), Float3(100, 0, 1), Float3(0, 1e-3f, 0), Float3(1e8f)}) {
+            const Bounds bounds{Float3(3, -2, 1), Float3(3, -2, 1) + size};
+            const Camera camera = framingCamera(bounds, aspect);
+            for (int corner = 0; corner < 8; ++corner) {
+                const Float3 point((corner & 1) ? bounds.high.x : bounds.low.x,
+                                   (corner & 2) ? bounds.high.y : bounds.low.y,
+                                   (corner & 4) ? bounds.high.z : bounds.low.z);
+                EXPECT_TRUE(isSeen(camera, aspect, point)) << aspect << ' ' << size.x;
+            }
+        }
+    }
+}
+
+TEST(Framing, ASinglePointIsNoTrouble) {
+    const Camera camera = framingCamera({Float3(7.0f), Float3(7.0f)}, 1);
+    EXPECT_TRUE(std::isfinite(camera.position.x));
+    EXPECT_NEAR(camera.forward.Length(), 1.0f, 1e-6f);
+}
+
+TEST(Bounds, IncludeSpheresAndMotion) {
+    Scene scene;
+    scene.materials.emplace_back();
+    scene.spheres.push_back({{0, 0, 0}, 1, 0, Float3(5, 0, 0)});
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {0, 2, 0}, {0, 0, 1}};
+    mesh.positionsAtEnd = {{0, 0, -9}, {0, 2, 0}, {0, 0, 1}};
+    mesh.triangles = {{0, 1, 2}};
+    scene.meshes.push_back(mesh);
+    const Bounds bounds = sceneBounds(scene);
+    EXPECT_EQ(bounds.low, Float3(-1, -1, -9));
+    EXPECT_EQ(bounds.high, Float3(6, 2, 1));
+}
+
+} // namespace
+} // namespace wellstrat::render
