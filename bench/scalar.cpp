@@ -44,13 +44,17 @@ void scalar2DRandom(benchmark::State& state) {
 }
 BENCHMARK(scalar2DRandom)->Name("scalar 2D by RandomGenerator");
 
-/// As a path does: derive a domain from the last one, draw, 16 times.
+/// As a path does: derive a domain from the last one, draw, 16 times; one sampleid on with each
+/// iteration, as all pixels of a tile are.
 void chain2D(benchmark::State& state) {
     constexpr unsigned depth = 16;
-    const std::vector<SampleCtx> contexts = makeContexts(kPoints, Access::random);
+    const std::vector<SampleCtx> contexts = makeContexts(kPoints, Access::coherent);
     RtFloat2 xis[depth];
+    unsigned sampleid = 0;
     for (auto _ : state) {
+        sampleid = (sampleid + 1) % 4096;
         for (SampleCtx sc : contexts) {
+            sc.sampleid = sampleid;
             for (RtFloat2& xi : xis) {
                 sc = sc.NewDomain(kScramble);
                 xi = sample2D(sc.patternid, sc.sampleid);
