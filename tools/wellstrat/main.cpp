@@ -18,6 +18,10 @@
 #include <string>
 #include <vector>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 namespace {
 
 using namespace wellstrat::cli;
@@ -83,10 +87,20 @@ int run(int argc, char** argv) {
     return exitCode;
 }
 
+/// Lets threads keep the memory that they free for their next task. Given back to the system, it
+/// would be cleared each time, which takes a third of the time of a study.
+void keepFreedMemory() {
+#if defined(__GLIBC__)
+    mallopt(M_MMAP_THRESHOLD, 1 << 26);
+    mallopt(M_TRIM_THRESHOLD, 1 << 28);
+#endif
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     try {
+        keepFreedMemory();
         return run(argc, argv);
     } catch (const std::bad_alloc&) {
         return fail("out of memory");
