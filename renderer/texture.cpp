@@ -92,7 +92,7 @@ Texture::Texture(unsigned width, unsigned height, std::vector<Float3> pixels)
 Float3 Texture::lookup(Float2 uv) const {
     const Neighbors x = neighbors(uv.x, width_), y = neighbors(uv.y, height_);
     return lerp(lerp(pixel(x.first, y.first), pixel(x.second, y.first), x.fraction),
-               lerp(pixel(x.first, y.second), pixel(x.second, y.second), x.fraction), y.fraction);
+                lerp(pixel(x.first, y.second), pixel(x.second, y.second), x.fraction), y.fraction);
 }
 
 Texture readTexture(const std::string& path, Encoding encoding) {
@@ -103,7 +103,7 @@ Texture readTexture(const std::string& path, Encoding encoding) {
 
 Texture readTexture(const std::vector<unsigned char>& bytes, const std::string& formatHint,
                     Encoding encoding) {
-    OIIO::Filesystem::IOMemReader reader(OIIO::cspan<uint8_t>(bytes.data(), bytes.size()));
+    OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
     const auto input = OIIO::ImageInput::open("embedded." + formatHint, nullptr, &reader);
     if (!input) fail(OIIO::geterror());
     return readPixels(*input, encoding);

@@ -3,7 +3,7 @@
 // Reads a scene file by Assimp, in this process.
 
 #include "import_scene.h"
-#include "gltf_strengths.h"
+#include "gltf_file.h"
 #include "lights_and_cameras.h"
 #include "materials.h"
 #include "meshes.h"
@@ -56,14 +56,13 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-/// Puts emissive strengths into a glTF file before Assimp sees it.
-void patchGltf(Assimp::Importer& importer, const std::string& path) {
+void prepareGltf(Assimp::Importer& importer, const std::string& path) {
     const std::string extension = lowerCase(fs::path(path).extension().string());
     if (extension != ".gltf" && extension != ".glb") return;
     std::ifstream file(path, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (auto patched = withEmissiveStrengths(bytes))
-        importer.SetIOHandler(new PatchedFiles(path, std::move(*patched)));
+    if (auto prepared = preparedGltf(bytes))
+        importer.SetIOHandler(new PatchedFiles(path, std::move(*prepared)));
 }
 
 /// One mesh of the file where one node puts it.
@@ -150,7 +149,7 @@ private:
 
 Scene importScene(const std::string& path) {
     Assimp::Importer importer;
-    patchGltf(importer, path);
+    prepareGltf(importer, path);
     const aiScene* const source =
         importer.ReadFile(path, aiProcess_ValidateDataStructure | aiProcess_Triangulate |
                                     aiProcess_TransformUVCoords);

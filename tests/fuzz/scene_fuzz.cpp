@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // libFuzzer's target for scene files: any bytes may be refused, or give a scene that can be
-// rendered. scripts/fuzz runs it.
+// rendered, and whose picture has no NaN. scripts/fuzz runs it.
 //
 // The bytes are a .glb file if they begin with "glTF", a .gltf file if they begin with "{", a .ply
 // file if they begin with "ply", an .obj file otherwise. What follows a line "#mtl" of an .obj file
@@ -9,10 +9,12 @@
 
 #include "renderer/framing.h"
 #include "renderer/import/import_scene.h"
+#include "renderer/render.h"
 #include "renderer/scene_check.h"
 #include "renderer/shapes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -63,6 +65,14 @@ void requireValid(const Scene& scene) {
     require(scene.aspect > 0.0f && std::isfinite(scene.aspect));
 }
 
+void render(const Scene& scene) {
+    const Renderer renderer(scene, 4, 4, {});
+    Film film(4, 4);
+    const std::atomic<bool> stop{false};
+    renderer.render({0, 4, 0, 1, nullptr}, film, stop, [](uint64_t) {});
+    for (unsigned i = 0; i < 16; ++i) require(film.pixel(i % 4, i / 4).invalid == 0);
+}
+
 /// The folder of this process in which scene files are written.
 const fs::path& folder() {
     static const fs::path path = [] {
@@ -105,5 +115,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     if (scene.meshes.empty()) return 0;
     addWhatIsMissing(scene);
     requireValid(scene);
+    render(scene);
     return 0;
 }

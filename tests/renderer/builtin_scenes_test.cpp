@@ -183,7 +183,7 @@ TEST(CornellBox, ColorsFollowTheSpectra) {
     EXPECT_GT(light.y, light.z);
     EXPECT_LT(light.x, 18.4f);
     EXPECT_GT(light.z, 0.0f);
-    for (const int m : {0, 1, 2}) EXPECT_EQ(scene.materials[m].specularF0, 0.0f);
+    for (std::size_t m = 0; m < 3; ++m) EXPECT_EQ(scene.materials[m].specularF0, 0.0f);
 }
 
 // The claim in scenes/spherelight.cpp, that every point of the picture has the closed form.

@@ -145,6 +145,7 @@ TEST(Bxdf, KeepsStrata) {
 }
 
 /// Fuzz of all that a scene may hold: colors above 1, NaN, normals that disagree, grazing views.
+/// And no light passes through the surface.
 TEST(Bxdf, NeverGivesBadNumbers) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
     const float odd[] = {0, 1, 0.5f, -1, 2, 1e30f, 1e-30f, kNan};
@@ -173,11 +174,16 @@ TEST(Bxdf, NeverGivesBadNumbers) {
         const float sum = value.value.x + value.value.y + value.value.z;
         EXPECT_TRUE(std::isfinite(value.pdf) && value.pdf >= 0) << i;
         EXPECT_TRUE(std::isfinite(sum) && sum >= 0) << i;
+        const Float3 facing = Dot(geometric, view) < 0 ? -geometric : geometric;
+        if (Dot(facing, in) < 0) {
+            EXPECT_EQ(sum, 0) << i;
+        }
         BxdfSample sample;
         if (!bxdf.sample({HashToRandom(i, 16), HashToRandom(i, 17)}, sample)) continue;
         ++found;
         EXPECT_TRUE(std::isfinite(sample.pdf) && sample.pdf > 0) << i;
         EXPECT_NEAR(sample.direction.Length(), 1, 1e-5) << i;
+        EXPECT_GT(Dot(facing, sample.direction), 0) << i;
         for (int c = 0; c < 3; ++c) {
             EXPECT_TRUE(sample.weight[c] >= 0 && sample.weight[c] < 8) << i;
         }

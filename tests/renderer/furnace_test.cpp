@@ -119,7 +119,7 @@ TEST_P(EachMaterial, ReflectsItsAlbedoOfAMap) {
 
 /// A closed sphere or box that emits 1 and reflects half, seen from within: the emission, and what
 /// of it is left after each bounce.
-void expectSeries(Scene scene, double tolerance) {
+void expectSeries(Scene scene, const std::vector<Strategy>& strategies, double tolerance) {
     Material wall = lambertian(Float3(0.5f));
     wall.emission = Float3(1.0f);
     wall.doubleSided = true;
@@ -127,7 +127,7 @@ void expectSeries(Scene scene, double tolerance) {
     scene.camera = lookAt({0.1f, 0.2f, 0.3f}, {1, 0, 0}, {0, 1, 0}, 1.5f);
     for (const unsigned depth : {0u, 1u, 4u, 60u}) {
         const auto sum = static_cast<float>(2 - std::pow(0.5, depth + 1));
-        for (const Strategy strategy : {Strategy::both, Strategy::lights, Strategy::bxdf}) {
+        for (const Strategy strategy : strategies) {
             SCOPED_TRACE(depth);
             SamplingOptions options = optionsOfDepth(depth);
             options.strategy = strategy;
@@ -139,13 +139,14 @@ void expectSeries(Scene scene, double tolerance) {
 TEST(Furnace, SphereFromWithin) {
     Scene scene;
     scene.spheres.push_back({Float3(0.0f), 2, 0, {}});
-    expectSeries(scene, 1e-2);
+    expectSeries(scene, {Strategy::both, Strategy::lights, Strategy::bxdf}, 1e-2);
 }
 
 TEST(Furnace, BoxFromWithin) {
     Scene scene;
     addQuads(scene, box(Float3(0.0f), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}), 0);
-    expectSeries(scene, 2e-2);
+    // Not by light samples alone: their variance is infinite in the corners.
+    expectSeries(scene, {Strategy::both, Strategy::bxdf}, 1e-2);
 }
 
 } // namespace

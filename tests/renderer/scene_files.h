@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Small scene files for tests.
+// Small scene files for tests, and what tests ask of scenes.
 
 #pragma once
 
+#include "renderer/scene_file.h"
+
+#include <OpenImageIO/imageio.h>
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -103,6 +108,53 @@ inline std::string glb(const nlohmann::json& gltf, std::string binary) {
     bytes += "JSON" + json;
     append<uint32_t>(bytes, {size(binary.size())});
     return bytes + std::string("BIN\0", 4) + binary;
+}
+
+inline void expectNear(Float3 a, Float3 b, float tolerance = 1e-5f) {
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], tolerance);
+}
+
+inline bool hasNote(const Scene& scene, const std::string& part) {
+    return std::any_of(scene.notes.begin(), scene.notes.end(), [&](const std::string& note) {
+        return note.find(part) != std::string::npos;
+    });
+}
+
+inline std::string errorOf(const std::string& path) {
+    try {
+        readScene(path);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+/// 2 x 2 pixels, upper row red and green, lower row blue and white.
+inline std::string writeColors(const TempFolder& folder, const std::string& name) {
+    const std::string path = folder.path(name);
+    const uint8_t pixels[] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+    const auto file = OIIO::ImageOutput::create(path);
+    EXPECT_TRUE(file->open(path, OIIO::ImageSpec(2, 2, 3, OIIO::TypeDesc::UINT8)));
+    EXPECT_TRUE(file->write_image(OIIO::TypeDesc::UINT8, pixels));
+    EXPECT_TRUE(file->close());
+    return path;
+}
+
+inline std::string bytesOf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The color of the base texture where the mesh has this position.
+inline Float3 textureAt(const Scene& scene, const Mesh& mesh, Float3 position) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        if ((mesh.positions[i] - position).Length() > 1e-5f) continue;
+        // The middle of the pixel in that corner.
+        const Float2 uv = mesh.uvs[i] * 0.5f + Float2(0.25f, 0.25f);
+        return scene.materials[mesh.material].baseColorTexture->lookup(uv);
+    }
+    ADD_FAILURE() << "no such vertex";
+    return Float3(0.0f);
 }
 
 } // namespace wellstrat::render

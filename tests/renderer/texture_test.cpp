@@ -28,41 +28,32 @@ std::string writePicture(const TempFolder& folder, const std::string& name, int 
     return path;
 }
 
-std::string bytesOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-void expectColor(Float3 color, Float3 expected, float tolerance = 1e-6f) {
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(color[c], expected[c], tolerance);
-}
-
 TEST(Texture, DecodesSrgb) {
     const TempFolder folder;
     const auto path = writePicture<uint8_t>(folder, "a.png", 2, 1, 3, {0, 188, 255, 10, 55, 128});
     const Texture srgb = readTexture(path, Encoding::sRgb);
     // IEC 61966-2-1: (188 / 255 + 0.055) / 1.055, to the 2.4; 10 / 255 / 12.92.
-    expectColor(srgb.pixel(0, 0), {0, 0.502886f, 1}, 1e-5f);
-    expectColor(srgb.pixel(1, 0), {0.003035f, 0.038204f, 0.215861f}, 1e-5f);
+    expectNear(srgb.pixel(0, 0), {0, 0.502886f, 1}, 1e-5f);
+    expectNear(srgb.pixel(1, 0), {0.003035f, 0.038204f, 0.215861f}, 1e-5f);
     const Texture linear = readTexture(path, Encoding::linear);
-    expectColor(linear.pixel(1, 0), {10 / 255.0f, 55 / 255.0f, 128 / 255.0f});
+    expectNear(linear.pixel(1, 0), {10 / 255.0f, 55 / 255.0f, 128 / 255.0f});
 }
 
 TEST(Texture, TopRowFirst) {
     const TempFolder folder;
     const auto path = writePicture<uint8_t>(folder, "a.png", 1, 2, 3, {255, 0, 0, 0, 0, 255});
     const Texture texture = readTexture(path, Encoding::linear);
-    expectColor(texture.pixel(0, 0), {1, 0, 0});
-    expectColor(texture.lookup({0.5f, 0.25f}), {1, 0, 0});
-    expectColor(texture.lookup({0.5f, 0.75f}), {0, 0, 1});
+    expectNear(texture.pixel(0, 0), {1, 0, 0});
+    expectNear(texture.lookup({0.5f, 0.25f}), {1, 0, 0});
+    expectNear(texture.lookup({0.5f, 0.75f}), {0, 0, 1});
 }
 
 TEST(Texture, GrayAndAlpha) {
     const TempFolder folder;
     const auto gray = writePicture<uint8_t>(folder, "gray.png", 1, 1, 1, {51});
-    expectColor(readTexture(gray, Encoding::linear).pixel(0, 0), Float3(0.2f));
+    expectNear(readTexture(gray, Encoding::linear).pixel(0, 0), Float3(0.2f));
     const auto alpha = writePicture<uint8_t>(folder, "alpha.png", 1, 1, 4, {51, 102, 153, 255});
-    expectColor(readTexture(alpha, Encoding::linear).pixel(0, 0), {0.2f, 0.4f, 0.6f});
+    expectNear(readTexture(alpha, Encoding::linear).pixel(0, 0), {0.2f, 0.4f, 0.6f});
 }
 
 // Of floats, "sRGB" says nothing: they are linear.
@@ -73,8 +64,8 @@ TEST(Texture, FloatsAreLinearAndMadeUsable) {
     const auto path =
         writePicture<float>(folder, "a.exr", 2, 1, 3, {0.5f, 7.0f, -1.0f, nan, infinity, 0.0f});
     const Texture texture = readTexture(path, Encoding::sRgb);
-    expectColor(texture.pixel(0, 0), {0.5f, 7.0f, 0.0f});
-    expectColor(texture.pixel(1, 0), {0, std::numeric_limits<float>::max(), 0});
+    expectNear(texture.pixel(0, 0), {0.5f, 7.0f, 0.0f});
+    expectNear(texture.pixel(1, 0), {0, std::numeric_limits<float>::max(), 0});
 }
 
 TEST(Texture, FromMemory) {
@@ -82,21 +73,21 @@ TEST(Texture, FromMemory) {
     const auto path = writePicture<uint8_t>(folder, "a.png", 1, 1, 3, {255, 0, 51});
     const std::string bytes = bytesOf(path);
     const std::vector<unsigned char> memory(bytes.begin(), bytes.end());
-    expectColor(readTexture(memory, "png", Encoding::linear).pixel(0, 0), {1, 0, 0.2f});
-    expectColor(readTexture(memory, "jpg", Encoding::linear).pixel(0, 0), {1, 0, 0.2f});
+    expectNear(readTexture(memory, "png", Encoding::linear).pixel(0, 0), {1, 0, 0.2f});
+    expectNear(readTexture(memory, "jpg", Encoding::linear).pixel(0, 0), {1, 0, 0.2f});
     EXPECT_THROW(readTexture({}, "png", Encoding::linear), std::runtime_error);
 }
 
 TEST(Texture, BilinearAndRepeating) {
     const Texture texture(2, 2, {Float3(0.0f), Float3(1.0f), Float3(2.0f), Float3(3.0f)});
-    expectColor(texture.lookup({0.25f, 0.25f}), Float3(0.0f));
-    expectColor(texture.lookup({0.5f, 0.25f}), Float3(0.5f));
-    expectColor(texture.lookup({0.5f, 0.5f}), Float3(1.5f));
-    expectColor(texture.lookup({0, 0.25f}), Float3(0.5f)); // across the border
-    expectColor(texture.lookup({0, 0}), Float3(1.5f));
+    expectNear(texture.lookup({0.25f, 0.25f}), Float3(0.0f));
+    expectNear(texture.lookup({0.5f, 0.25f}), Float3(0.5f));
+    expectNear(texture.lookup({0.5f, 0.5f}), Float3(1.5f));
+    expectNear(texture.lookup({0, 0.25f}), Float3(0.5f)); // across the border
+    expectNear(texture.lookup({0, 0}), Float3(1.5f));
     for (const float shift : {-3.0f, 1.0f, 1000.0f})
-        expectColor(texture.lookup({0.3f + shift, 0.6f - shift}), texture.lookup({0.3f, 0.6f}),
-                    1e-3f);
+        expectNear(texture.lookup({0.3f + shift, 0.6f - shift}), texture.lookup({0.3f, 0.6f}),
+                   1e-3f);
     for (const float far : {-1e-12f, 1e30f, -1e30f, std::nextafter(1.0f, 0.0f)}) {
         const Float3 color = texture.lookup({far, far});
         EXPECT_TRUE(color.x >= 0.0f && color.x <= 3.0f);
@@ -108,7 +99,7 @@ TEST(Texture, WrongSizesThrow) {
     EXPECT_THROW(Texture(2, 2, std::vector<Float3>(3, Float3(0.0f))), std::invalid_argument);
 }
 
-std::string errorOf(const std::string& path) {
+std::string pictureErrorOf(const std::string& path) {
     try {
         readTexture(path, Encoding::linear);
     } catch (const std::runtime_error& error) {
@@ -126,7 +117,7 @@ TEST(Texture, WhatIsNoPictureSaysSoInOneLine) {
          {folder.path("missing.png"), folder.write("empty.png", ""),
           folder.write("text.png", "not a picture"), folder.write("unknown.xyz", bytes.substr(9)),
           folder.write("short.png", bytes.substr(0, bytes.size() / 2))}) {
-        const std::string error = errorOf(path);
+        const std::string error = pictureErrorOf(path);
         EXPECT_NE(error, "none") << path;
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;
         EXPECT_GT(error.size(), 5u) << path;
@@ -137,7 +128,7 @@ TEST(Texture, WhatIsNoPictureSaysSoInOneLine) {
 TEST(Texture, AbsurdSizesAreRefused) {
     const TempFolder folder;
     std::string header = "P6\n100000 100000\n255\n";
-    EXPECT_NE(errorOf(folder.write("huge.ppm", header)).find("100000 x 100000 pixels"),
+    EXPECT_NE(pictureErrorOf(folder.write("huge.ppm", header)).find("100000 x 100000 pixels"),
               std::string::npos);
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// glTF's KHR_materials_emissive_strength, which Assimp 5.2 does not know.
+// What must be done to glTF files before Assimp sees them.
 
-#include "gltf_strengths.h"
+#include "gltf_file.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
+#include <stdexcept>
 
 namespace wellstrat::render {
 namespace {
@@ -34,6 +35,12 @@ void setWord(std::string& bytes, std::size_t offset, std::size_t word) {
 
 bool isBinary(const std::string& bytes) {
     return bytes.compare(0, 4, "glTF") == 0 && bytes.size() >= kFileHeader + kChunkHeader;
+}
+
+void requireAllOf(const std::string& bytes) {
+    const std::size_t json = kFileHeader + kChunkHeader + wordAt(bytes, kFileHeader);
+    if (bytes.size() < std::max(json, wordAt(bytes, 8)))
+        throw std::runtime_error("the file is shorter than its header says");
 }
 
 std::string multiplied(const std::string& text) {
@@ -63,11 +70,12 @@ std::string multipliedBinary(const std::string& bytes) {
 
 } // namespace
 
-std::optional<std::string> withEmissiveStrengths(const std::string& bytes) {
+std::optional<std::string> preparedGltf(const std::string& bytes) {
+    if (isBinary(bytes)) requireAllOf(bytes);
     if (bytes.find(kExtension) == std::string::npos) return {};
     try {
         return isBinary(bytes) ? multipliedBinary(bytes) : multiplied(bytes);
-    } catch (const std::exception&) {
+    } catch (const nlohmann::json::exception&) {
         return {};
     }
 }
