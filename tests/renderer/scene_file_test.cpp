@@ -63,13 +63,18 @@ TEST(SceneFile, HarmfulFilesDoNoHarm) {
     offsets["bufferViews"][0]["byteOffset"] = 1ull << 62;
     json indices = quadGltf();
     indices["accessors"][3]["byteOffset"] = 1000000;
-    json chain = quadGltf();
+    json image = quadGltf(); // crashes Assimp 5.2, which looks for a slash
+    image["images"] = json::array({{{"uri", "data:picture;base64,AAAA"}}});
+    image["textures"] = json::array({{{"source", 0}}});
+    image["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 0;
+    json chain = quadGltf(); // and here its recursion is too deep
     for (int i = 1; i <= 200000; ++i) {
         chain["nodes"][static_cast<std::size_t>(i) - 1]["children"] = json::array({i});
         chain["nodes"].push_back({{"mesh", 0}});
     }
     std::vector<std::string> files{std::string(1'000'000, '[')};
-    for (const json& gltf : {cycle, sizes, offsets, indices, chain}) files.push_back(gltf.dump());
+    for (const json& gltf : {cycle, sizes, offsets, indices, image, chain})
+        files.push_back(gltf.dump());
     folder.write("quad.bin", quadBuffer());
     for (const std::string& file : files) {
         const std::string error = errorOf(folder.write("scene.gltf", file));
