@@ -7,6 +7,7 @@
 #include "interrupt.h"
 #include "options.h"
 #include "output_file.h"
+#include "run_on_ranks.h"
 #include "study_options.h"
 #include "study_output.h"
 #include "study_sources.h"
@@ -17,11 +18,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -178,40 +177,21 @@ Study prepare(const StudyOptions& options, bool root) {
     return study;
 }
 
-/// Errors of one process end all.
 int run(const StudyOptions& options, const Ranks& ranks, Study& study) {
-    try {
-        Checkpoints checkpoints(options, study.plan, study.result);
-        runStudy(study.plan, ranks, study.result, [&checkpoints] { checkpoints.maybeSave(); });
-        if (!ranks.isRoot()) return 0;
-        if (study.result.patterns < study.plan.patterns) checkpoints.save();
-        return finish(options, study.plan, study.result, *study.files);
-    } catch (const std::exception& error) {
-        if (ranks.size() == 1) throw;
-        fmt::print(stderr, "wellstrat: {}\n", oneLine(error.what()));
-        ranks.abort(kExitError);
-        return kExitError;
-    }
+    Checkpoints checkpoints(options, study.plan, study.result);
+    runStudy(study.plan, ranks, study.result, [&checkpoints] { checkpoints.maybeSave(); });
+    if (!ranks.isRoot()) return 0;
+    if (study.result.patterns < study.plan.patterns) checkpoints.save();
+    return finish(options, study.plan, study.result, *study.files);
 }
 
-/// What all processes find wrong, rank 0 says for all.
 int studyOnRanks(const StudyOptions& options) {
     if (options.list) {
         printText(listText());
         return 0;
     }
-    const Ranks ranks;
-    std::optional<Study> study;
-    std::exception_ptr failure;
-    try {
-        study.emplace(prepare(options, ranks.isRoot()));
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    if (!ranks.any(failure != nullptr)) return run(options, ranks, *study);
-    const bool rootFailed = ranks.fromRoot(failure != nullptr ? 1 : 0) != 0;
-    if (failure && (ranks.isRoot() || !rootFailed)) std::rethrow_exception(failure);
-    return kExitError;
+    return runOnRanks([&](const Ranks& ranks) { return prepare(options, ranks.isRoot()); },
+                      [&](const Ranks& ranks, Study& study) { return run(options, ranks, study); });
 }
 
 } // namespace
