@@ -160,7 +160,7 @@ TEST_P(DomainProducts, HaveTheErrorOfExactlyShuffledDomains) {
 INSTANTIATE_TEST_SUITE_P(With, DomainProducts,
                          testing::Values(Range{"4And16Samples", {4, 16}, 1u << 20},
                                          Range{"64And256Samples", {64, 256}, 1u << 16},
-                                         Range{"1024And4096Samples", {1024, 4096}, 13u << 10}),
+                                         Range{"1024And4096Samples", {1024, 4096}, 15u << 10}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 // Each of the blocks of 4096 samples has its own table and its own swaps, so four times as many
