@@ -308,7 +308,9 @@ FilmPart readPart(const std::string& path) {
     const OIIO::ImageSpec& spec = decoder.spec();
     std::map<std::string, std::string> settings = settingsOf(spec);
     const auto samples = settings.extract(kSamples);
-    if (samples.empty()) throw std::runtime_error("it has no exact sums of samples");
+    if (samples.empty())
+        throw std::runtime_error(
+            "it has no exact sums of samples: it is no .exr file that `wellstrat render` wrote");
     checkShape(spec);
     const auto width = static_cast<unsigned>(spec.width);
     const auto height = static_cast<unsigned>(spec.height);

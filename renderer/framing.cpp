@@ -99,12 +99,12 @@ Environment framingLight() { return {}; }
 void addWhatIsMissing(Scene& scene) {
     if (!hasLight(scene)) {
         scene.environment = framingLight();
-        scene.notes.emplace_back("There is no light: a soft constant one is added.");
+        scene.notes.emplace_back(kNoLightNote);
     }
     if (!scene.camera) {
         scene.camera = framingCamera(sceneBounds(scene), scene.aspect);
         scene.cameraIsAutomatic = true;
-        scene.notes.emplace_back("There is no camera: the picture shows the whole scene.");
+        scene.notes.emplace_back(kNoCameraNote);
     }
 }
 

@@ -35,8 +35,11 @@ Camera framingCamera(const Bounds& bounds, float aspect);
 /// A soft constant light that a surface of `baseColor` 0.8 returns as middle gray to white.
 Environment framingLight();
 
-/// Gives a scene without light `framingLight`, and one without camera a `framingCamera`, each with
-/// a note. The scene must have geometry.
+constexpr auto kNoLightNote = "There is no light: a soft constant one is added.";
+constexpr auto kNoCameraNote = "There is no camera: the picture shows the whole scene.";
+
+/// Gives a scene without light `framingLight` and `kNoLightNote`, and one without camera a
+/// `framingCamera` and `kNoCameraNote`. The scene must have geometry.
 void addWhatIsMissing(Scene& scene);
 
 } // namespace wellstrat::render

@@ -16,18 +16,26 @@ void require(bool condition, const std::string& otherwise) {
 
 bool isFinite(Float3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// Far beyond any scene, and far below 1e18, where Embree refuses rays.
+constexpr float kFarthest = 1e16f;
+
+bool isWithinReach(Float3 v) {
+    return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) <= kFarthest;
+}
+
 void checkCamera(const Camera& camera) {
-    require(isFinite(camera.position), "the position of the camera is not finite");
+    require(isFinite(camera.position) && isWithinReach(camera.position),
+            "the position of the camera is not finite, or beyond 1e16");
     require(std::fabs(camera.forward.LengthSq() - 1.0f) < 1e-3f &&
                 std::fabs(camera.up.LengthSq() - 1.0f) < 1e-3f &&
                 std::fabs(Dot(camera.forward, camera.up)) < 1e-3f,
             "the camera's directions `forward` and `up` are not of length 1 and across each other");
     require(camera.verticalFov > 0.0f && camera.verticalFov < 3.14159f,
             "the camera's field of view is not between 0 and 180 degrees");
-    require(std::isfinite(camera.lensRadius) && camera.lensRadius >= 0.0f,
-            "the radius of the camera's lens is not a finite number from 0 on");
-    require(std::isfinite(camera.focusDistance) && camera.focusDistance > 0.0f,
-            "the camera's focus distance is not a finite number above 0");
+    require(camera.lensRadius >= 0.0f && camera.lensRadius <= kFarthest,
+            "the radius of the camera's lens is not a number from 0 to 1e16");
+    require(camera.focusDistance > 0.0f && camera.focusDistance <= kFarthest,
+            "the camera's focus distance is not a number above 0 and at most 1e16");
 }
 
 bool isLight(Float3 color) {

@@ -79,22 +79,28 @@ Scene makeInChild(Make make) {
 Scene readScene(const std::string& path) {
     return readNamed("scene", path, [&] {
         Scene scene = makeInChild([&] { return importScene(path); });
-        if (scene.meshes.empty())
-            throw std::runtime_error("there are no triangles to render in it");
         addWhatIsMissing(scene);
         return scene;
     });
 }
 
-Environment readEnvironment(const std::string& path) {
+Environment readEnvironment(const std::string& path, std::vector<std::string>* notes) {
     return readNamed("environment map", path, [&] {
         const Scene scene = makeInChild([&] {
             Scene result;
             result.environment.emplace();
+            uint64_t replaced = 0;
             result.environment->map =
-                std::make_shared<const Texture>(readTexture(path, Encoding::sRgb));
+                std::make_shared<const Texture>(readTexture(path, Encoding::sRgb, &replaced));
+            if (replaced > 0) {
+                result.notes.push_back(
+                    fmt::format("Pixels of the environment map that were negative, not finite or "
+                                "above 1e9 are replaced: {}.",
+                                replaced));
+            }
             return result;
         });
+        if (notes) notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
         return scene.environment.value();
     });
 }

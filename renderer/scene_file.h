@@ -7,6 +7,7 @@
 #include "scene.h"
 
 #include <string>
+#include <vector>
 
 namespace wellstrat::render {
 
@@ -21,7 +22,8 @@ namespace wellstrat::render {
 Scene readScene(const std::string& path);
 
 /// Reads a latitude-longitude map, a .hdr or .exr file, or any other that OpenImageIO reads.
-/// Throws std::runtime_error with one line.
-Environment readEnvironment(const std::string& path);
+/// Values that cannot be light are replaced as `readTexture` says; `notes`, unless null, gets a
+/// sentence on that. Throws std::runtime_error with one line.
+Environment readEnvironment(const std::string& path, std::vector<std::string>* notes = nullptr);
 
 } // namespace wellstrat::render

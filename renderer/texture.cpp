@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -26,9 +25,11 @@ float linearFromSrgb(float v) {
     return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
 }
 
-/// Finite and not negative: what is no number becomes 0, what is too large the largest number.
+constexpr float kLargestIntensity = 1e9f; // what light multiplies it with stays finite
+
+/// From 0 to kLargestIntensity; what is not finite becomes 0.
 float asIntensity(float v) {
-    return v > 0.0f ? std::min(v, std::numeric_limits<float>::max()) : 0.0f;
+    return v > 0.0f && std::isfinite(v) ? std::min(v, kLargestIntensity) : 0.0f;
 }
 
 [[noreturn]] void fail(const std::string& reason) {
@@ -36,7 +37,7 @@ float asIntensity(float v) {
     throw std::runtime_error(line.empty() ? "not a picture in a known format" : line);
 }
 
-Texture readPixels(OIIO::ImageInput& input, Encoding encoding) {
+Texture readPixels(OIIO::ImageInput& input, Encoding encoding, uint64_t* replaced) {
     const OIIO::ImageSpec& spec = input.spec();
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
         fail("has no pixels, or is no plain two-dimensional picture");
@@ -54,10 +55,13 @@ Texture readPixels(OIIO::ImageInput& input, Encoding encoding) {
         fail(input.geterror());
     for (Float3& pixel : pixels) {
         if (!isColor) pixel.y = pixel.z = pixel.x;
+        bool isChanged = false;
         for (int c = 0; c < 3; ++c) {
             const float v = asIntensity(pixel[c]);
+            isChanged = isChanged || v != pixel[c];
             pixel[c] = decode ? linearFromSrgb(v) : v;
         }
+        if (isChanged && replaced) ++*replaced;
     }
     return {width, height, std::move(pixels)};
 }
@@ -95,10 +99,10 @@ Float3 Texture::lookup(Float2 uv) const {
                 lerp(pixel(x.first, y.second), pixel(x.second, y.second), x.fraction), y.fraction);
 }
 
-Texture readTexture(const std::string& path, Encoding encoding) {
+Texture readTexture(const std::string& path, Encoding encoding, uint64_t* replaced) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) fail(OIIO::geterror());
-    return readPixels(*input, encoding);
+    return readPixels(*input, encoding, replaced);
 }
 
 Texture readTexture(const std::vector<unsigned char>& bytes, const std::string& formatHint,
@@ -106,7 +110,7 @@ Texture readTexture(const std::vector<unsigned char>& bytes, const std::string& 
     OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
     const auto input = OIIO::ImageInput::open("embedded." + formatHint, nullptr, &reader);
     if (!input) fail(OIIO::geterror());
-    return readPixels(*input, encoding);
+    return readPixels(*input, encoding, nullptr);
 }
 
 void readTexturesInOneThread() {

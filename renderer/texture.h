@@ -7,6 +7,7 @@
 #include "wellstrat/vector.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,9 +40,11 @@ private:
 enum class Encoding { linear, sRgb };
 
 /// Reads a picture in any format that OpenImageIO knows, of at most 2^27 pixels. Alpha is left out,
-/// NaN and negative values become 0. `encoding` is that of integers: formats of floats are linear.
-/// Throws std::runtime_error with one line that says why the picture cannot be read.
-Texture readTexture(const std::string& path, Encoding encoding);
+/// values that are NaN, infinite or negative become 0 and those above 1e9 become 1e9; the number of
+/// such pixels is added to `*replaced` unless that is null. `encoding` is that of integers: formats
+/// of floats are linear. Throws std::runtime_error with one line that says why the picture cannot
+/// be read.
+Texture readTexture(const std::string& path, Encoding encoding, uint64_t* replaced = nullptr);
 
 /// The same from the bytes of a file in memory, such as one within a .glb. `formatHint` is the
 /// file name extension that it would have.

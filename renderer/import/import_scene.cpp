@@ -17,6 +17,7 @@
 #include <assimp/scene.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -88,6 +89,7 @@ public:
             scene_.aspect = camera->aspect;
         }
         noteDropped();
+        if (scene_.meshes.empty()) throw std::runtime_error(emptyReason());
         if (source_.mNumAnimations > 0) notes_.add("Animations are left out.");
         scene_.notes = notes_.take();
         return std::move(scene_);
@@ -128,13 +130,29 @@ private:
         if (instance.mesh->HasVertexColors(0)) notes_.add("Vertex colors are left out.");
     }
 
-    void noteDropped() {
-        const auto note = [&](uint64_t count, const char* what) {
-            if (count > 0) notes_.add(fmt::format("Left out: {} {}.", count, what));
+    /// "COUNT WHAT" of all that was dropped.
+    std::vector<std::string> droppedTexts() const {
+        std::vector<std::string> texts;
+        const auto add = [&](uint64_t count, const char* what) {
+            if (count > 0) texts.push_back(fmt::format("{} {}", count, what));
         };
-        note(dropped_.notFinite, "triangles with a corner that is no number or too far away");
-        note(dropped_.degenerate, "triangles without area");
-        note(dropped_.otherFaces, "lines and points");
+        add(dropped_.notFinite, "triangles with a corner that is no number");
+        add(dropped_.tooFar, "triangles with a corner beyond 1e9");
+        add(dropped_.degenerate, "triangles without area");
+        add(dropped_.otherFaces, "lines and points");
+        return texts;
+    }
+
+    void noteDropped() {
+        for (const std::string& text : droppedTexts()) {
+            notes_.add(fmt::format("Left out: {}.", text));
+        }
+    }
+
+    std::string emptyReason() const {
+        const auto texts = droppedTexts();
+        return fmt::format("there are no triangles to render in it{}{}",
+                           texts.empty() ? "" : ", only ", fmt::join(texts, ", "));
     }
 
     const aiScene& source_;

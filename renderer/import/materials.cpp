@@ -24,9 +24,9 @@ public:
     ImportedMaterial read() {
         readSurface();
         readEmission();
-        int twoSided = 0;
-        result_.material.doubleSided =
-            source_.Get(AI_MATKEY_TWOSIDED, twoSided) == aiReturn_SUCCESS && twoSided != 0;
+        int twoSided = 1; // for formats that do not say
+        source_.Get(AI_MATKEY_TWOSIDED, twoSided);
+        result_.material.doubleSided = twoSided != 0;
         readTextures();
         noteWhatIsLeftOut();
         return result_;

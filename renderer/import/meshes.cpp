@@ -18,7 +18,7 @@ constexpr uint32_t kUnused = ~uint32_t{0};
 /// Farther out, the squares of areas exceed the largest float.
 constexpr float kLargestCoordinate = 1e9f;
 
-bool canBeRendered(Float3 p) {
+bool isNear(Float3 p) {
     return std::abs(p.x) <= kLargestCoordinate && std::abs(p.y) <= kLargestCoordinate &&
            std::abs(p.z) <= kLargestCoordinate;
 }
@@ -55,8 +55,8 @@ private:
             }
             at[i] = toFloat3(toWorld_ * source_.mVertices[corners[i]]);
         }
-        if (!std::all_of(at.begin(), at.end(), canBeRendered)) {
-            ++dropped_.notFinite;
+        if (!std::all_of(at.begin(), at.end(), isNear)) {
+            ++(std::all_of(at.begin(), at.end(), isFinite) ? dropped_.tooFar : dropped_.notFinite);
             return;
         }
         Float3 normal = Cross(at[1] - at[0], at[2] - at[0]);

@@ -14,7 +14,8 @@ namespace wellstrat::render {
 
 /// Parts of meshes that cannot be rendered.
 struct Dropped {
-    uint64_t notFinite = 0;  ///< triangles with a corner that is no number, or beyond 1e9
+    uint64_t notFinite = 0;  ///< triangles with a corner that is NaN, infinite, or missing
+    uint64_t tooFar = 0;     ///< other triangles with a corner beyond 1e9
     uint64_t degenerate = 0; ///< triangles without area
     uint64_t otherFaces = 0; ///< points and lines
 };

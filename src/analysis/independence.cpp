@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace wellstrat {
 namespace {
@@ -29,11 +30,13 @@ struct PreparedCoordinate {
             cells[i] = std::min(static_cast<uint32_t>(x[i] * gridSide), gridSide - 1);
             ++cellCounts[cells[i]];
         }
+        for (const double n : cellCounts) logOrders += std::lgamma(n + 1);
     }
 
     std::vector<double> centered; ///< mean 0, sum of squares 1
     std::vector<uint32_t> cells;
     std::vector<double> cellCounts;
+    double logOrders = 0; ///< log of the product of cellCounts[k]!
 };
 
 double correlation(const PreparedCoordinate& a, const PreparedCoordinate& b) {
@@ -60,7 +63,10 @@ public:
         const double degrees = degreesOf(a) * degreesOf(b);
         if (degrees == 0) return;
         const double chiSquare = chiSquareOf(a, b);
-        const Tails tails = chiSquareTails(chiSquare, degrees);
+        Tails tails = chiSquareTails(chiSquare, degrees);
+        if (tails.below < tails.above) {
+            tails.below = std::max(tails.below, probabilityOfCounts(a, b));
+        }
         pair.chiSquare = chiSquare / degrees;
         pair.chiSquareProbability = std::min(1.0, 2 * std::min(tails.below, tails.above));
     }
@@ -79,6 +85,13 @@ private:
             }
         }
         return sum;
+    }
+
+    /// Of exactly these counts, whose rows and columns are given (Fisher 1922).
+    double probabilityOfCounts(const PreparedCoordinate& a, const PreparedCoordinate& b) const {
+        double log = a.logOrders + b.logOrders - std::lgamma(count_ + 1);
+        for (const uint32_t n : counts_) log -= std::lgamma(n + 1.0);
+        return std::exp(log);
     }
 
     double count_;
@@ -116,7 +129,8 @@ std::vector<std::vector<PreparedCoordinate>> prepare(const std::vector<SampleStr
 /// Adds a pair and leaves out the least unlikely one if there are too many.
 void keepWorst(std::vector<CoordinatePair>& worst, std::size_t limit, const CoordinatePair& pair) {
     const auto lessLikely = [](const CoordinatePair& a, const CoordinatePair& b) {
-        return a.probability() < b.probability();
+        return std::pair(a.probability(), -std::fabs(a.correlation)) <
+               std::pair(b.probability(), -std::fabs(b.correlation));
     };
     worst.insert(std::upper_bound(worst.begin(), worst.end(), pair, lessLikely), pair);
     if (worst.size() > limit) worst.pop_back();

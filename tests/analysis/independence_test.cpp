@@ -144,6 +144,32 @@ TEST(Independence, SeesAMissingScramble) {
     EXPECT_EQ(report.worst[0].firstDim, report.worst[0].secondDim);
 }
 
+/// Three copies of a net without any scramble: x against y, which fills the grid too evenly, must
+/// not hide that each coordinate is its own copy; with and without underflow of probabilities.
+TEST(Independence, NamesCopiesBeforeLockstep) {
+    for (const unsigned m : {7u, 10u, 12u, 16u}) {
+        const UnitPoints net = test::unitPoints(test::owenPoints(m, 2, 1));
+        const IndependenceReport report =
+            testIndependence({{"a", net}, {"b", net}, {"c", net}}, usualGridSide(net.count()), 12);
+        for (std::size_t k = 0; k < 6; ++k) {
+            EXPECT_NEAR(report.worst[k].correlation, 1, 1e-12);
+            EXPECT_EQ(report.worst[k].firstDim, report.worst[k].secondDim);
+        }
+        EXPECT_NEAR(report.worst[6].chiSquare, 0, 1e-12);
+        EXPECT_NE(report.worst[6].firstDim, report.worst[6].secondDim);
+    }
+}
+
+/// 4 x 4 cells of two points each: 8!^8 / (32! 2!^16) of all orders lead to them.
+TEST(Independence, EvenCountsAreNotImpossible) {
+    const UnitPoints points = test::unitPoints(test::owenPoints(5, 2, 1));
+    const CoordinatePair pair =
+        testIndependence({{"a", points.projection({0})}, {"b", points.projection({1})}}, 4, 1)
+            .worst.front();
+    EXPECT_EQ(pair.chiSquare, 0);
+    EXPECT_NEAR(pair.chiSquareProbability, 2 * 0.00040505361248516133, 1e-13);
+}
+
 /// The same net again and again, its order scrambled at all levels by exact nested shuffles, its
 /// coordinates by digital shifts.
 std::vector<SampleStream> exactlyShuffledStreams(unsigned streams) {

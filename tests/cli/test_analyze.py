@@ -137,6 +137,30 @@ class InputTest(AnalyzeTest):
         self.assertEqual(result["nets"], [{"projection": [0], "t": 0, "sequence_t": 1,
                                            "base4_boxes": True}])
 
+    def test_aligned_blocks_in_all_projections(self):
+        self.write("a.txt", "".join(" ".join(repr(random.Random(6 * i + d).random())
+                                             for d in range(6)) + "\n" for i in range(64)))
+        nets = self.analyze("a.txt")["nets"]
+        self.assertEqual(len(nets), 63)
+        for net in nets:
+            self.assertLessEqual(net["t"], net["sequence_t"])
+            self.assertEqual(net["base4_boxes"] is None, len(net["projection"]) > 3)
+
+    def test_every_source_of_a_study(self):
+        listed = self.output_of("study", "--list").decode().split("Integrands")[0]
+        names = [line.split()[0] for line in listed.splitlines() if line.startswith("  ")]
+        self.assertIn("sobol-owen", names)
+        for name in names:
+            if name == "file:PATH":
+                continue
+            for dims in (1, 2, 3):
+                result = self.analyze("--generator", name, "--count", "64", "--dims", str(dims),
+                                      "--realizations", "2", "--pattern", "4294967295")
+                self.assertEqual((result["points"], result["dimensions"]), (64, dims))
+                self.assertEqual(len(result["independence"]), 3)
+        nets = self.analyze("--generator", "sobol-owen", "--count", "64")["nets"]
+        self.assertEqual([net["sequence_t"] for net in nets], [0, 0, 0])
+
     def test_standard_input(self):
         expected = self.measures_of("points.csv", CSV)
         for data in (CSV.encode(), npy("<f8", "(4, 2)", pack("<d", sum(POINTS, ())))):
@@ -195,6 +219,9 @@ class RefusalTest(AnalyzeTest):
                 ("0.1 0.2\n0.3\n", "line 2 has 1 values, the lines before have 2"),
                 ("0.1\n0.3 0.4\n", "line 2 has 2 values"),
                 ("x,y\n0.1,0.2\n", "line 1: 'x' is no number"),
+                ("0.1,0.2,0.3\n0.1,,0.2\n", "line 2: a value is missing"),
+                (",0.2\n", "line 1: a value is missing"),
+                ("0.1;0.2; \n", "line 1: a value is missing"),
                 ("0.1 zebra\n", "line 1: 'zebra' is no number"),
                 ("0.1.2\n", "'0.1.2' is no number"),
                 ("0.5\nnan\n", "line 2: nan is not in [0, 1)"),
@@ -256,8 +283,11 @@ class RefusalTest(AnalyzeTest):
                 (("points.csv", "--domains", "1,2"), "1 + 2 are not the 2 dimensions"),
                 (("points.csv", "--domains", "0,2"), "--domains"),
                 (("--generator", "pmj", "--domains", "1,1"), "--domains"),
-                (("--generator", "sobol"), "pmj, random"),
+                (("points.csv", "--dims", "2"), "--dims goes with --generator"),
+                (("--generator", "zebra"), "pmj, random, sobol-owen"),
+                (("--generator", "file:points.csv"), "no generator is called"),
                 (("--generator", "pmj", "--dims", "4"), "1 to 3"),
+                (("--generator", "halton", "--dims", "4"), "1 to 3"),
                 (("--generator", "pmj", "--count", "0"), "from 1"),
                 (("--generator", "pmj", "--realizations", "0"), "from 1"),
                 (("points.csv", "--count", "4"), "--generator"),
@@ -359,6 +389,15 @@ class FaultTest(AnalyzeTest):
                          {("a.txt x", "b.txt x"), ("a.txt y", "b.txt y")})
         for pair in worst:
             self.assertAlmostEqual(pair["correlation"], 1, delta=1e-9)
+
+    def test_copies_are_named_before_lockstep(self):
+        """Three copies of one Sobol' set, whose x and y fill any grid too evenly."""
+        names = ("a.csv", "b.csv", "c.csv")
+        for name in names:
+            self.write_points(name, self.sobol())
+        patterns, = self.analyze(*names)["independence"]
+        self.assertEqual({(pair["first"][-1], pair["second"][-1]) for pair in patterns["worst"]},
+                         {("x", "x"), ("y", "y")})
 
     def test_missing_scramble_by_bias(self):
         """In a study, patterns that are all the same have an error that is all bias."""

@@ -88,6 +88,17 @@ class CompareTest(CliTest):
         self.assert_fails("compare", "spherelight", "--depth", "0", "--reference", "ref.exr", "-o", "c.html",
                           mentions="40x30 pixels, not")
 
+    def test_without_errors_there_are_no_curves(self):
+        """A picture of nothing: logarithmic axes have no place for errors of 0."""
+        text = self.output_of("compare", "cornell", "--camera", "0,0,-5", "--look-at", "0,0,-10",
+                              "--size", "16x16", "--spp", "1,4", "-o", "c.html",
+                              "--keep-plot-files").decode()
+        self.assertNotIn("nan", text)
+        self.assertEqual(self.files(), ["c.html"])
+        page = browser.open_page(self.path("c.html"))
+        self.assertIn("there are no error curves", page.text)
+        self.assertEqual(len(page.images), 1 + 2 * 3)
+
     def test_plot_files(self):
         self.output_of(*COMPARE, "--keep-plot-files")
         self.assertEqual(self.files(), ["c-errors.dat", "c-errors.gp", "c-errors.svg", "c.html"])

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """`wellstrat render` and `wellstrat merge`."""
 
+import math
 import os
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import time
 import unittest
@@ -107,7 +109,10 @@ class RenderTest(RenderCase):
                 ((*image, "--spp", "4000000000", "--split", "2"), "--split 2"),
                 ((*image, "--samples", "4"), "A:B"), ((*image, "--samples", "4:4"), "A:B"),
                 ((*image, "--samples", "-1:4"), "A:B"), ((*image, "--samples", "4:"), "A:B"),
-                ((*image, "--samples", "0:4", "--spp", "4"), "--samples"),
+                ((*image, "--samples", "2:5", "--spp", "4"), "--samples 2:5 goes beyond the 4"),
+                ((*image, "--checkpoint", "c.png"), "--checkpoint"),
+                ((*image, "--checkpoint", "none/c.exr"), "none/c.exr"),
+                ((*image, "--checkpoint", "b.exr"), "two outputs"),
                 ((*image, "--samples", "1:4", "--noise", "0.1"), "--noise"),
                 ((*image, "--size", "0x4"), "--size"), ((*image, "--size", "4"), "--size"),
                 ((*image, "--size", "4x70000"), "65536"),
@@ -119,6 +124,8 @@ class RenderTest(RenderCase):
                 ((*image, "--noise", "0"), "--noise"), ((*image, "--noise", "-1"), "--noise"),
                 ((*image, "--fov", "180"), "--fov"), ((*image, "--focus", "0"), "--focus"),
                 ((*image, "--lens-radius", "-1"), "--lens-radius"),
+                ((*image, "--lens-radius", "1e20"), "--lens-radius"),
+                ((*image, "--focus", "1e20"), "--focus"), ((*image, "--camera", "1e19,1,1"), "1e"),
                 ((*image, "--camera", "1,2"), "X,Y,Z"), ((*image, "--camera", "1,2,inf"), "X,Y,Z"),
                 ((*image, "--camera", "1,2,3", "--look-at", "1,2,3"), "--camera"),
                 ((*image, "--up", "0,0,0"), "--camera"),
@@ -132,6 +139,57 @@ class RenderTest(RenderCase):
                 ((*image, *SIZE, "--resume", "a.exr", "--spp", "23"), "24 samples already"),
                 ((*image, *SIZE, "--resume", "a.exr", "--samples", "2:99"), "samples from 2 on")):
             self.assert_fails("render", *arguments, mentions=mentions)
+
+    def test_far_cameras_and_large_lenses(self):
+        """The largest numbers that options take: Embree aborts where rays start too far out."""
+        for arguments in (("--camera", "1e9,-1e9,1e9"), ("--lens-radius", "1e9"),
+                          ("--focus", "1e9", "--fov", "179"), ("--focus", "1e-9"),
+                          ("--camera", "1e9,1e9,1e9", "--look-at", "-1e9,1e9,1e9",
+                           "--lens-radius", "1e9")):
+            self.output_of("render", "cornell", "--size", "8x8", "--spp", "2", *arguments, "-o",
+                           "a.exr")
+
+    def write_obj(self):
+        with open(self.path("a.obj"), "w", encoding="ascii") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+
+    def test_notes_say_what_is_true(self):
+        """Guards against notes on light and cameras that the options supply."""
+        self.write_obj()
+        self.output_of("render", "cornell", "--size", "8x4", "--spp", "1", "-o", "sky.hdr")
+        image = ("render", "a.obj", "--size", "8x8", "--spp", "1", "-o", "a.exr")
+        light, camera = "There is no light", "There is no camera"
+        for arguments, notes in (((), (light, f"{camera}: the picture shows the whole scene")),
+                                 (("--environment", "sky.hdr"), (camera,)),
+                                 (("--camera", "0,0,5"), (light,)),
+                                 (("--fov", "5"), (light, f"{camera}: it stands in front")),
+                                 (("--camera", "0,0,5", "--environment", "sky.hdr"), ())):
+            lines = self.run_program(*image, *arguments).stderr.decode().splitlines()
+            self.assertEqual(len(lines), len(notes), lines)
+            for line, note in zip(lines, notes):
+                self.assertIn(note, line)
+
+    def test_environment_maps_are_cleaned(self):
+        self.write_obj()
+        pixels = struct.pack("<8f", -math.inf, math.nan, 1, -1, 1e20, 1, 1, 1)
+        with open(self.path("sky.pfm"), "wb") as file:
+            file.write(b"Pf\n4 2\n-1.0\n" + pixels)
+        process = self.run_program("render", "a.obj", "--camera", "0,0,5", "--size", "8x8", "--spp",
+                                   "4", "--environment", "sky.pfm", "-o", "a.exr")
+        self.assertEqual(process.returncode, 0)
+        self.assertRegex(process.stderr.decode(),
+                         r"\Awellstrat: Pixels of the environment map [^\n]+: 4\.\n\Z")
+
+    def test_upper_case_suffix(self):
+        self.output_of(*SMALL, "-o", "a.EXR", "-o", "a.exr")
+        self.assert_same("a.EXR", "a.exr")
+
+    def test_only_sums_can_be_resumed(self):
+        picture = ("render", "cornell", *SIZE, "--spp", "1000000", "--time-limit", "0.1", "-o",
+                   "a.png")
+        self.assertNotIn("--resume", self.run_program(*picture).stderr.decode())
+        for more in (("-o", "a.exr"), ("--checkpoint", "part.exr")):
+            self.assertIn("--resume goes on", self.run_program(*picture, *more).stderr.decode())
 
     def test_absurd_counts_start_and_stop(self):
         """So many samples take for ever, and no memory."""
@@ -169,6 +227,9 @@ class PartsTest(RenderCase):
                        "all.png")
         self.assert_same("all.exr", "whole.exr")
         self.assert_same("all.png", "whole.png")
+        self.output_of("render", "cornell", *SIZE, "--samples", "3:16", "--spp", "24", "-o",
+                       "of-24.exr")
+        self.assert_same("of-24.exr", "3-16.exr")
         self.output_of("merge", "0-3.exr", "3-16.exr", "-o", "some.exr")
         self.output_of("merge", "16-24.exr", "some.exr", "-o", "all.exr")
         self.assert_same("all.exr", "whole.exr")
@@ -197,7 +258,7 @@ class PartsTest(RenderCase):
                 ("generator.exr", "generator (pmj, random)"), ("split.exr", "split"),
                 ("distrib.exr", "distrib"), ("fov.exr", "scene"), ("noise.exr", "noise"),
                 ("veach.exr", "scene"), ("8x8.exr", "50x35 pixels, the other 8x8"),
-                ("picture.png", "no exact sums"), ("none.exr", "none.exr")):
+                ("picture.png", "`wellstrat render` wrote"), ("none.exr", "none.exr")):
             self.assert_fails("merge", "0-4.exr", other, "-o", "all.exr", mentions=mentions)
         for arguments, mentions in ((("0-4.exr",), "--output"), (("-o", "all.exr"), "images"),
                                     (("0-4.exr", "-o", "all.txt"), ".exr, .png, .hdr")):

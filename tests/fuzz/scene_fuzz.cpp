@@ -112,7 +112,6 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     } catch (const std::exception&) {
         return 0;
     }
-    if (scene.meshes.empty()) return 0;
     addWhatIsMissing(scene);
     requireValid(scene);
     render(scene);

@@ -49,6 +49,13 @@ TEST(Obj, EmissiveMaterialsAreLights) {
     EXPECT_FALSE(scene.environment);
 }
 
+// MTL cannot say it, and the winding of OBJ files is often the other one.
+TEST(Obj, MaterialsEmitOnBothSides) {
+    const TempFolder folder;
+    const Scene scene = readObj(folder, "Kd 0 0 0\nKe 10 20 30\n");
+    EXPECT_TRUE(scene.materials[scene.meshes[0].material].doubleSided);
+}
+
 // Walter et al. 2007: alpha = sqrt(2 / (n + 2)); the roughness is its root.
 TEST(Obj, PhongExponents) {
     const TempFolder folder;
@@ -107,7 +114,8 @@ p 1
         for (const Float3& p : mesh.positions) EXPECT_LE(std::abs(p.x), 1.0f);
     }
     EXPECT_EQ(triangles, 1u);
-    EXPECT_TRUE(hasNote(scene, "Left out: 2 triangles with a corner that is no number"));
+    EXPECT_TRUE(hasNote(scene, "Left out: 1 triangles with a corner that is no number"));
+    EXPECT_TRUE(hasNote(scene, "Left out: 1 triangles with a corner beyond 1e9"));
     EXPECT_TRUE(hasNote(scene, "Left out: 2 triangles without area"));
     EXPECT_TRUE(hasNote(scene, "Left out: 2 lines and points"));
 }

@@ -170,6 +170,9 @@ TEST(Renderer, RefusesWhatItCannotRender) {
     expectRefused([](Scene& s) { s.camera->forward *= 2; }, "length 1");
     expectRefused([](Scene& s) { s.camera->verticalFov = 4; }, "field of view");
     expectRefused([](Scene& s) { s.camera->focusDistance = 0; }, "focus");
+    expectRefused([](Scene& s) { s.camera->focusDistance = 1e20f; }, "focus");
+    expectRefused([](Scene& s) { s.camera->position.x = 1e19f; }, "position of the camera");
+    expectRefused([](Scene& s) { s.camera->lensRadius = 1e20f; }, "lens");
     expectRefused([](Scene& s) { s.camera->lensRadius = -1; }, "lens");
     expectRefused([](Scene& s) { s.meshes[1].material = 99; }, "mesh 1 has a material");
     expectRefused([](Scene& s) { s.meshes[2].triangles[0][1] = 99999; }, "mesh 2 has a triangle");

@@ -51,6 +51,20 @@ TEST(SceneFile, WithoutTrianglesIsAnError) {
               std::string::npos);
 }
 
+TEST(SceneFile, WithoutTrianglesSaysWhatThereWas) {
+    const TempFolder folder;
+    const auto reason = [&](const std::string& obj) {
+        const std::string error = errorOf(folder.write("scene.obj", obj));
+        return error.substr(error.find("': ") + 3);
+    };
+    EXPECT_EQ(reason("v 0 0 0\nv 2e9 0 0\nv 0 2e9 0\nv 2 0 0\nv 1 0 0\nf 1 2 3\nf 1 4 5\n"),
+              "there are no triangles to render in it, only 1 triangles with a corner beyond 1e9, "
+              "1 triangles without area");
+    EXPECT_EQ(reason("v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+              "there are no triangles to render in it, only 1 triangles with a corner that is no "
+              "number");
+}
+
 // Files made to harm: nodes that contain themselves, endless chains, sizes beyond the file. Each
 // may be read or refused; none may end the program.
 TEST(SceneFile, HarmfulFilesDoNoHarm) {

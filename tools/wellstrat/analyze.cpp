@@ -9,6 +9,7 @@
 #include "measures_report.h"
 #include "options.h"
 #include "sample_figure.h"
+#include "study_sources.h"
 #include "subjects.h"
 
 #include <fmt/format.h>
@@ -25,7 +26,8 @@ constexpr auto kExamples =
     R"(Measures: t as a net in base 2, of each projection; star and L2 discrepancies; distances to the
 nearest point; pair correlation; spectra of each 2D projection; independence of patterns and
 domains, and of the pixels and frames of generators. Spectra are the mean of all realizations,
-independence is that of the first 8, all else is of the first one.
+independence is that of the first 8, all else is of the first one. The L2 discrepancies centered,
+wrap-around and mixture are the square roots of what SciPy prints; star is the same.
 
 Files hold values in [0, 1): text (one point a line, # starts a comment), NumPy arrays of float32 or
 float64 with shape (points, dims), or with --format raw little-endian numbers. Points of another
@@ -36,6 +38,7 @@ Examples:
   wellstrat analyze --generator pmj --count 1024
   wellstrat analyze --generator random --count 256 --dims 3 --json
   wellstrat analyze --generator pmj --count 4096 --plot spectrum.png
+  wellstrat analyze --generator sobol-owen --count 1024
   wellstrat analyze pixel-0.csv pixel-1.csv
   wellstrat analyze paths.csv --domains 2,2,1
 )";
@@ -52,21 +55,23 @@ struct AnalyzeOptions {
     bool keepPlotFiles = false;
 };
 
-Subject subjectOf(const AnalyzeOptions& options) {
+/// `source` is the generator that the options name, if any.
+Subject subjectOf(const AnalyzeOptions& options, const PointSource* source) {
     if (options.files.paths.empty() == !options.generator) {
         throw CliError(
             "say what to analyze: files, - for the standard input, or --generator; "
             "one of them");
     }
-    if (!options.generator) {
-        PointFiles files = options.files;
-        if (options.dims != 0) files.options.dims = static_cast<unsigned>(options.dims);
-        return fileSubject(files);
+    if (source) {
+        const unsigned dims = options.dims == 0 ? 2 : static_cast<unsigned>(options.dims);
+        if (dims > 3) throw CliError(fmt::format("--dims: generators have 1 to 3, not {}", dims));
+        return generatorSubject({*options.generator, dims, options.count,
+                                 static_cast<uint32_t>(options.pattern), options.realizations},
+                                *source);
     }
-    const unsigned dims = options.dims == 0 ? 2 : static_cast<unsigned>(options.dims);
-    if (dims > 3) throw CliError(fmt::format("--dims: generators have 1 to 3, not {}", dims));
-    return generatorSubject({&findGenerator("--generator", *options.generator), dims, options.count,
-                             static_cast<uint32_t>(options.pattern), options.realizations});
+    PointFiles files = options.files;
+    if (options.dims != 0) files.options.dims = static_cast<unsigned>(options.dims);
+    return fileSubject(files);
 }
 
 void analyze(const AnalyzeOptions& options) {
@@ -74,7 +79,9 @@ void analyze(const AnalyzeOptions& options) {
     if (options.plot) {
         picture = std::make_unique<Picture>("--plot", *options.plot, options.keepPlotFiles);
     }
-    const Subject subject = subjectOf(options);
+    PointSourcePtr source;
+    if (options.generator) source = findStudySource("--generator", *options.generator).make();
+    const Subject subject = subjectOf(options, source.get());
     const UnitPoints points = subject.set.points(0);
     if (picture && points.count() > kMaxFigurePoints) {
         throw CliError(fmt::format("--plot: at most {} points can be drawn, not {}",
@@ -98,10 +105,11 @@ void addAnalyze(CLI::App& app, int& /*exitCode*/) {
     CLI::Option* const file =
         command->add_option("FILE", options->files.paths, "The points, - for the standard input")
             ->type_name("...");
-    CLI::Option* const generator =
-        command->add_option("--generator", options->generator, "A generator instead of a file")
-            ->type_name("NAME")
-            ->excludes(file);
+    CLI::Option* const generator = command
+                                       ->add_option("--generator", options->generator,
+                                                    "A generator of 'wellstrat study --list'")
+                                       ->type_name("NAME")
+                                       ->excludes(file);
     addNumber(*command, "--count", options->count, {1, kMaxFilePoints}, "How many samples [4096]")
         ->needs(generator);
     addNumber(*command, "--dims", options->dims, {1, UnitPoints::kMaxDimensions},

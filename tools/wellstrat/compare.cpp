@@ -226,8 +226,13 @@ int run(const CompareOptions& options, const Ranks& ranks, CompareJob& job) {
         return kExitInterrupted;
     }
     if (!ranks.isRoot()) return 0;
-    const Plot plot = compareFigure(comparison);
-    const std::string figure = job.curves ? job.curves->draw(plot) : drawPlot(plot, ".svg").picture;
+    std::string figure;
+    if (hasErrors(comparison)) {
+        const Plot plot = compareFigure(comparison);
+        figure = job.curves ? job.curves->draw(plot) : drawPlot(plot, ".svg").picture;
+    } else {
+        job.curves.reset();
+    }
     job.file->write(comparePage(comparison, figure, commandOf(options, job.size)));
     job.file->commit();
     if (job.curves) job.curves->commit();

@@ -77,8 +77,12 @@ void addErrors(const Comparison& comparison, const std::string& figure, HtmlPage
         "have the same RMSE: between its points on a line in logarithmic axes, beyond them by RMSE "
         "~ N^(-1/2).",
         render::kErrorBlur, baseline.name));
-    page.figure({{{"Error curves of the generators", figure}},
-                 "Error against the number of samples and against time, in logarithmic axes."});
+    if (figure.empty()) {
+        page.paragraph("All images equal the reference, so there are no error curves to draw.");
+    } else {
+        page.figure({{{"Error curves of the generators", figure}},
+                     "Error against the number of samples and against time, in logarithmic axes."});
+    }
     HtmlTable table{"All numbers. Times are of this machine, with all that ran on it.",
                     {"generator", "samples", "RMSE", "relative MSE", "filtered RMSE", "seconds",
                      fmt::format("samples of {}", baseline.name)},

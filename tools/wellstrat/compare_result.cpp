@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace wellstrat::cli {
 namespace {
@@ -25,6 +26,8 @@ double clampedDifference(const render::Film& film, const render::Film& reference
     }
     return sum;
 }
+
+bool isExact(const ComparedImage& image) { return image.error.rmse == 0; }
 
 /// The samples with which a power law through two points of a curve reaches `rmse`.
 double powerLaw(const ComparedImage& a, double exponent, double rmse) {
@@ -73,6 +76,10 @@ const ComparedGenerator& baselineOf(const Comparison& comparison) {
 
 double equivalentSamples(const ComparedGenerator& baseline, double rmse) {
     const auto& images = baseline.images;
+    if (rmse == 0) {
+        const auto exact = std::find_if(images.begin(), images.end(), isExact);
+        return exact == images.end() ? std::numeric_limits<double>::infinity() : exact->samples;
+    }
     for (std::size_t i = 1; i < images.size(); ++i) {
         const ComparedImage &a = images[i - 1], &b = images[i];
         if (!(rmse <= a.error.rmse && rmse >= b.error.rmse && a.error.rmse > b.error.rmse)) {
@@ -83,6 +90,14 @@ double equivalentSamples(const ComparedGenerator& baseline, double rmse) {
         return powerLaw(a, exponent, rmse);
     }
     return powerLaw(rmse > images.front().error.rmse ? images.front() : images.back(), -0.5, rmse);
+}
+
+bool hasErrors(const Comparison& comparison) {
+    return !std::all_of(comparison.generators.begin(), comparison.generators.end(),
+                        [](const ComparedGenerator& generator) {
+                            return std::all_of(generator.images.begin(), generator.images.end(),
+                                               isExact);
+                        });
 }
 
 std::string compareTable(const Comparison& comparison) {

@@ -62,16 +62,21 @@ render::Film enlarged(const render::Film& film, const Crop& crop);
 const ComparedGenerator& baselineOf(const Comparison& comparison);
 
 /// How many samples the baseline needs for this RMSE: on the line through its points in a plot with
-/// logarithmic axes, beyond them by the law of independent samples, RMSE ~ samples^(-1/2).
+/// logarithmic axes, beyond them by the law of independent samples, RMSE ~ samples^(-1/2). For an
+/// RMSE of 0 its first image without error, or infinity.
 double equivalentSamples(const ComparedGenerator& baseline, double rmse);
 
 /// One line for each image.
 std::string compareTable(const Comparison& comparison);
 
-/// Error curves.
+/// Whether any image differs from the reference.
+bool hasErrors(const Comparison& comparison);
+
+/// Error curves. Logarithmic axes need some error: see `hasErrors`.
 Plot compareFigure(const Comparison& comparison);
 
-/// The page, with `figure` the bytes of its error curves. `command` is what makes it again.
+/// The page, with `figure` the bytes of its error curves, empty if there are no errors. `command`
+/// is what makes it again.
 std::string comparePage(const Comparison& comparison, const std::string& figure,
                         const std::string& command);
 

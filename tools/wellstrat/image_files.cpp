@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace wellstrat::cli {
@@ -19,6 +20,10 @@ ImageFiles::ImageFiles(const std::string& option, const std::vector<std::string>
         suffixes_.push_back(requireSuffix(option, path, {".exr", ".png", ".hdr"}));
     }
     for (const std::string& path : paths) files_.emplace_back(path);
+}
+
+bool ImageFiles::keepSums() const {
+    return std::find(suffixes_.begin(), suffixes_.end(), ".exr") != suffixes_.end();
 }
 
 void ImageFiles::write(const render::FilmPart& part) {

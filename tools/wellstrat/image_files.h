@@ -21,6 +21,9 @@ public:
     /// `option` is named in messages.
     ImageFiles(const std::string& option, const std::vector<std::string>& paths);
 
+    /// Whether one of the files is .exr, and so can be resumed.
+    bool keepSums() const;
+
     void write(const render::FilmPart& part);
     void commit();
 

@@ -60,9 +60,9 @@ PointSet netPoints(const UnitPoints& points, const Projection& projection) {
 void measureNet(const UnitPoints& points, NetQuality& net) {
     const PointSet set = netPoints(points, net.projection);
     net.t = tValue(set);
-    if (set.dims() > 3) return;
     if (set.count() <= kMaxSquarePoints) net.sequenceT = tValueOfSequence(set);
-    if (set.countLog2() % 2 == 0) net.holdsBase4Boxes = checkNet(set, 0, NetBase::four).holds();
+    if (set.dims() <= 3 && set.countLog2() % 2 == 0)
+        net.holdsBase4Boxes = checkNet(set, 0, NetBase::four).holds();
 }
 
 int maxFrequencyFor(std::size_t count, std::size_t planes) {

@@ -42,8 +42,7 @@ std::string projectionName(const Projection& projection, unsigned dims);
 struct NetQuality {
     Projection projection;
     unsigned t;
-    std::optional<unsigned> sequenceT;   ///< of all aligned blocks; up to three dimensions
-                                         ///< and kMaxSquarePoints
+    std::optional<unsigned> sequenceT;   ///< of all aligned blocks; up to kMaxSquarePoints
     std::optional<bool> holdsBase4Boxes; ///< up to three dimensions, powers of four points
 };
 

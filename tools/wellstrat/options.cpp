@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <charconv>
 #include <filesystem>
 
@@ -70,6 +71,7 @@ CLI::Option* addReal(CLI::App& command, const std::string& flags, std::optional<
 std::string requireSuffix(const std::string& option, const std::string& path,
                           std::initializer_list<const char*> accepted) {
     std::string suffix = std::filesystem::path(path).extension().string();
+    for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     for (const char* candidate : accepted) {
         if (suffix == candidate) return suffix;
     }

@@ -43,8 +43,8 @@ struct RealRange {
 CLI::Option* addReal(CLI::App& command, const std::string& flags, std::optional<double>& value,
                      RealRange range, const std::string& description);
 
-/// The one of `accepted`, such as ".png", that the file name `path` ends in. Throws CliError, which
-/// names `option` and what is accepted, if there is none.
+/// The one of `accepted`, such as ".png", that the file name `path` ends in, in upper or lower
+/// case. Throws CliError, which names `option` and what is accepted, if there is none.
 std::string requireSuffix(const std::string& option, const std::string& path,
                           std::initializer_list<const char*> accepted);
 

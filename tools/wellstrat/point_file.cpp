@@ -73,14 +73,24 @@ private:
     std::size_t maxPoints_ = kMaxFilePoints;
 };
 
-constexpr std::string_view kSeparators = " \t\r,;";
+void skipBlanks(std::string_view& line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
+}
 
-/// Splits off the next field of a line: what stands between separators; none if it is empty.
+/// Splits off what stands before the next separator, which may be nothing.
 std::string_view nextField(std::string_view& line) {
-    line.remove_prefix(std::min(line.find_first_not_of(kSeparators), line.size()));
-    const std::string_view field = line.substr(0, line.find_first_of(kSeparators));
+    skipBlanks(line);
+    const std::string_view field = line.substr(0, line.find_first_of(" \t\r,;"));
     line.remove_prefix(field.size());
     return field;
+}
+
+/// Skips one comma or semicolon with the blanks before it. Was there one?
+bool skipComma(std::string_view& line) {
+    skipBlanks(line);
+    if (line.empty() || (line.front() != ',' && line.front() != ';')) return false;
+    line.remove_prefix(1);
+    return true;
 }
 
 /// The start of a field as it may be shown: of other programs' files, which may be no text at all.
@@ -90,6 +100,29 @@ std::string shown(std::string_view field) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return text;
+}
+
+/// The numbers of a line.
+void readRow(const PointReader& reader, std::string_view line, std::size_t number,
+             std::vector<double>& row) {
+    row.clear();
+    for (bool afterComma = false;; afterComma = skipComma(line)) {
+        const std::string_view field = nextField(line);
+        if (field.empty()) {
+            if (line.empty() && !afterComma) return;
+            reader.fail("line {}: a value is missing beside a comma or semicolon", number);
+        }
+        double value = 0;
+        const char* const end = field.data() + field.size();
+        const auto [stop, error] = std::from_chars(field.data(), end, value);
+        if (error != std::errc() || stop != end) {
+            reader.fail(
+                "line {}: '{}' is no number; accepted are points, one a line, their "
+                "coordinates separated by commas or blanks, and comments after #",
+                number, shown(field));
+        }
+        row.push_back(value);
+    }
 }
 
 PointTable readText(ByteSource& source) {
@@ -102,20 +135,7 @@ PointTable readText(ByteSource& source) {
             reader.fail("line {} is longer than {} bytes; accepted is one point a line", number,
                         kMaxLine - 1);
         }
-        std::string_view rest = std::string_view(line).substr(0, line.find('#'));
-        row.clear();
-        for (std::string_view field; !(field = nextField(rest)).empty();) {
-            double value = 0;
-            const char* const end = field.data() + field.size();
-            const auto [stop, error] = std::from_chars(field.data(), end, value);
-            if (error != std::errc() || stop != end) {
-                reader.fail(
-                    "line {}: '{}' is no number; accepted are points, one a line, their "
-                    "coordinates separated by commas or blanks, and comments after #",
-                    number, shown(field));
-            }
-            row.push_back(value);
-        }
+        readRow(reader, std::string_view(line).substr(0, line.find('#')), number, row);
         if (row.empty()) continue;
         if (reader.dims() == 0) reader.setDims(row.size());
         if (row.size() != reader.dims()) {
@@ -249,6 +269,11 @@ std::string_view formatOf(const PointFileOptions& options, ByteSource& source) {
 PatternTable readPatterns(const PointFileOptions& options) {
     ByteSource source(options.path);
     const std::string_view format = formatOf(options, source);
+    if (options.dims && format != "raw") {
+        throw CliError(fmt::format(
+            "--dims goes with --generator or raw numbers; the dimensions of '{}' are its own",
+            source.name()));
+    }
     if (format == "npy") return readNpy(source);
     return {format == "raw" ? readRaw(source, options) : readText(source)};
 }

@@ -37,14 +37,14 @@ struct PointFileOptions {
     std::string path;                  ///< "-" is the standard input
     std::optional<std::string> format; ///< text, npy or raw; by default what suffix and bytes say
     std::string type = "float32";      ///< of raw numbers: float32 or float64, little-endian
-    std::optional<unsigned> dims;      ///< of raw points
+    std::optional<unsigned> dims;      ///< of raw points; an error for others
 };
 
 /// Reads all points of a file: one pattern, or in a NumPy array with the axes (patterns, points,
 /// coordinates) several. Throws CliError, which names the place and says what is accepted, for a
-/// file that cannot be read, that is empty, cut off or ragged, that holds anything but numbers in
-/// [0, 1), or more than kMaxFilePoints points, or of several patterns more than kMaxPatternNumbers
-/// numbers. Memory stays bounded by these whatever the file holds.
+/// file that cannot be read, that is empty, cut off or ragged, lacks a value, that holds anything
+/// but numbers in [0, 1), or more than kMaxFilePoints points, or of several patterns more than
+/// kMaxPatternNumbers numbers. Memory stays bounded by these whatever the file holds.
 PatternTable readPatterns(const PointFileOptions& options);
 
 } // namespace wellstrat::cli

@@ -59,6 +59,8 @@ Examples:
 Exit codes: 0 done, 2 error, 130 interrupted.
 )";
 
+constexpr uint64_t kDefaultSpp = 64;
+
 struct SampleSpan {
     uint32_t begin, end;
 };
@@ -67,7 +69,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::string generator = "pmj";
     std::vector<std::string> outputs;
-    uint64_t spp = 64;
+    std::optional<uint64_t> spp;
     std::optional<SampleSpan> samples;
     std::optional<double> timeLimit, noise;
     std::optional<std::string> checkpoint, resume;
@@ -86,8 +88,12 @@ struct RenderJob {
 };
 
 SampleSpan spanOf(const RenderOptions& options) {
-    const SampleSpan span =
-        options.samples.value_or(SampleSpan{0, static_cast<uint32_t>(options.spp)});
+    const SampleSpan span = options.samples.value_or(
+        SampleSpan{0, static_cast<uint32_t>(options.spp.value_or(kDefaultSpp))});
+    if (options.spp && span.end > *options.spp) {
+        throw CliError(fmt::format("--samples {}:{} goes beyond the {} samples of --spp",
+                                   span.begin, span.end, *options.spp));
+    }
     checkSamples(options.scene, options.samples ? "--samples" : "--spp", span.end);
     if (options.noise && span.begin > 0) {
         throw CliError("--noise decides by all samples of a pixel, so --samples must begin at 0");
@@ -128,6 +134,13 @@ render::Film resumedFilm(const std::string& path, const render::FilmPart& fresh)
     return std::move(part.film);
 }
 
+/// Throws CliError if no checkpoint can be written.
+void checkCheckpoint(const RenderOptions& options) {
+    if (!options.checkpoint) return;
+    requireSuffix("--checkpoint", *options.checkpoint, {".exr"});
+    const OutputFile trial(*options.checkpoint);
+}
+
 RenderJob prepare(const RenderOptions& options, bool root) {
     const SampleSpan span = spanOf(options);
     const Generator* const generator = findGenerator("--generator", options.generator).generator;
@@ -136,7 +149,10 @@ RenderJob prepare(const RenderOptions& options, bool root) {
     }
     if (options.outputs.empty()) throw CliError("-o FILE.exr is required");
     std::unique_ptr<ImageFiles> files;
-    if (root) files = std::make_unique<ImageFiles>("--output", options.outputs);
+    if (root) {
+        files = std::make_unique<ImageFiles>("--output", options.outputs);
+        checkCheckpoint(options);
+    }
 
     auto scene = std::make_unique<render::Scene>(loadScene(options.scene));
     if (root) sayNotes(*scene);
@@ -210,9 +226,10 @@ int finish(const RenderOptions& options, RenderJob& job, RenderEnd end, RunCost 
         return 0;
     }
     const bool interrupted = end == RenderEnd::interrupted;
-    fmt::print(stderr, "wellstrat: {} with {} of {} samples a pixel; --resume goes on\n",
+    fmt::print(stderr, "wellstrat: {} with {} of {} samples a pixel{}\n",
                interrupted ? "interrupted" : "time is up", counts,
-               job.plan.endSample - job.plan.firstSample);
+               job.plan.endSample - job.plan.firstSample,
+               options.checkpoint || job.files->keepSums() ? "; --resume goes on" : "");
     return interrupted ? kExitInterrupted : 0;
 }
 
@@ -240,7 +257,7 @@ int renderOnRanks(const RenderOptions& options) {
                       [&](const Ranks& ranks, RenderJob& job) { return run(options, ranks, job); });
 }
 
-CLI::Option* addSamples(CLI::App& command, std::optional<SampleSpan>& samples) {
+void addSamples(CLI::App& command, std::optional<SampleSpan>& samples) {
     const auto read = [&samples](const std::string& text) {
         const std::size_t colon = text.find(':');
         uint64_t begin = 0, end = 0;
@@ -252,7 +269,7 @@ CLI::Option* addSamples(CLI::App& command, std::optional<SampleSpan>& samples) {
         }
         samples = SampleSpan{static_cast<uint32_t>(begin), static_cast<uint32_t>(end)};
     };
-    return command
+    command
         .add_option_function<std::string>("--samples", read,
                                           "Only samples A to B - 1 of each pixel")
         ->type_name("A:B");
@@ -272,9 +289,8 @@ void addRender(CLI::App& app, int& exitCode) {
         ->type_name("FILE");
     command->add_option("--generator", options->generator, "What draws the samples [pmj]")
         ->type_name("NAME");
-    CLI::Option* const spp =
-        addNumber(*command, "--spp", options->spp, {1, kMaxWord}, "Samples of each pixel [64]");
-    addSamples(*command, options->samples)->excludes(spp);
+    addNumber(*command, "--spp", options->spp, {1, kMaxWord}, "Samples of each pixel [64]");
+    addSamples(*command, options->samples);
     addReal(*command, "--noise", options->noise, {1e-6, 1e6},
             "Error at which pixels are good enough");
     addReal(*command, "--time-limit", options->timeLimit, {0, 1e9}, "Seconds to render for");

@@ -92,7 +92,7 @@ void addCommands(const ReportOptions& options, HtmlPage& page) {
     add("The page, and beside it the data and the gnuplot script of each picture:", commands.page);
     add("Errors of integrals, with all digits:", commands.study);
     add("Points of our own generators:", commands.samples);
-    add("Their measures: in the plane independence and discrepancies; in three dimensions spectra, "
+    add("Measures: in the plane independence and discrepancies; in three dimensions spectra, "
         "nets and discrepancies:",
         commands.measures);
     add("Speed, on the machine at hand:", commands.bench);

@@ -99,7 +99,9 @@ ReportCommands reportCommands(const ReportOptions& options) {
     for (const NamedGenerator& generator : namedGenerators()) {
         if (!isAmong(options.generators, generator.name)) continue;
         commands.samples += sampleCommands(generator.name);
-        commands.measures += analyzeCommands(generator.name, size);
+    }
+    for (const std::string& generator : options.generators) {
+        commands.measures += analyzeCommands(generator, size);
     }
     return commands;
 }
@@ -127,9 +129,8 @@ void addReportOptions(CLI::App& command, ReportOptions& options) {
         .add_option("--bench", options.bench,
                     "Show the speeds in this file of scripts/bench --json FILE")
         ->type_name("FILE");
-    command.add_flag(
-        "--keep-plot-files", options.keepPlotFiles,
-        "Keep the pictures, report-NAME.svg, with data (.dat) and gnuplot scripts (.gp)");
+    command.add_flag("--keep-plot-files", options.keepPlotFiles,
+                     "Keep the pictures, report-NAME.svg, with .dat and .gp files");
     command.footer(kExamples);
 }
 

@@ -43,8 +43,9 @@ void addReportOptions(CLI::App& command, ReportOptions& options);
 /// Lines for a page: the commands that give what is on it.
 struct ReportCommands {
     std::string page, study;
-    std::string samples, measures; ///< of our own generators; empty if there are none among them
-    std::string bench;             ///< empty if there is none
+    std::string samples; ///< of our own generators; empty if there are none among them
+    std::string measures;
+    std::string bench; ///< empty if there is none
 };
 ReportCommands reportCommands(const ReportOptions& options);
 

@@ -15,51 +15,10 @@
 namespace wellstrat::cli {
 namespace {
 
-UnitPoints drawDomains(const PointSource& source, uint32_t pattern, const DomainDims& domains,
-                       std::size_t count) {
-    const unsigned dims = totalDims(domains);
-    std::vector<double> values(count * dims);
-    source.draw(pattern, domains, count, values.data());
-    return {values.data(), count, dims};
-}
-
-/// Domain `domain` of several 2D domains.
-UnitPoints planeOf(const UnitPoints& points, unsigned domain) {
-    return points.projection({2 * domain, 2 * domain + 1});
-}
-
-/// The families that generatorSubject takes of our own generators. The first domain of others has
-/// the order of the sequence, the same in all patterns; the second one stands for all further ones.
-StreamFamilies familiesOf(const PointSource& source, std::size_t count) {
-    const auto second = [&](uint32_t pattern) {
-        return planeOf(drawDomains(source, pattern, {2, 2}, count), 1);
-    };
-    const UnitPoints all = drawDomains(source, 0, DomainDims(kMaxIntegrandDomains, 2), count);
-    std::vector<SampleStream> domains;
-    for (unsigned d = 0; d < kMaxIntegrandDomains; ++d) {
-        domains.push_back({fmt::format("domain {}", d), planeOf(all, d)});
-    }
-    return streamFamilies(second, 0, std::move(domains));
-}
-
-const NamedGenerator* ownGenerator(const std::string& name) {
-    for (const NamedGenerator& generator : namedGenerators()) {
-        if (generator.name == name) return &generator;
-    }
-    return nullptr;
-}
-
-/// Patterns from 0 on: of our own generators as `sample` and `analyze` draw them.
+/// Patterns from 0 on.
 MeasuredSet setOf(const StudySource& source, unsigned dims, std::size_t count,
                   std::size_t realizations) {
-    if (const NamedGenerator* const own = ownGenerator(source.name)) {
-        return generatorSubject({own, dims, count, 0, realizations}).set;
-    }
-    const PointSource& points = *source.source;
-    return {[&points, dims, count](std::size_t r) {
-                return drawDomains(points, static_cast<uint32_t>(r), {dims}, count);
-            },
-            realizations, familiesOf(points, count)};
+    return generatorSubject({source.name, dims, count, 0, realizations}, *source.source).set;
 }
 
 std::string descriptionOf(const std::string& name) {

@@ -27,13 +27,15 @@ namespace wellstrat::cli {
 namespace {
 
 constexpr unsigned kDefaultRows = 256;
+/// As in scene files: farther out, squares of areas exceed the largest float.
+constexpr double kMostUnits = 1e9;
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-/// Reads a finite number in front of `text` and moves `text` behind it.
+/// Reads a coordinate in front of `text` and moves `text` behind it.
 bool takeFloat(std::string_view& text, float& number) {
     const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
-    return error == std::errc() && std::isfinite(number);
+    return error == std::errc() && std::abs(double{number}) <= kMostUnits;
 }
 
 bool take(std::string_view& text, char c) {
@@ -49,7 +51,9 @@ void addPoint(CLI::App& command, const std::string& flag, std::optional<Float3>&
         Float3 p;
         if (!takeFloat(rest, p.x) || !take(rest, ',') || !takeFloat(rest, p.y) ||
             !take(rest, ',') || !takeFloat(rest, p.z) || !rest.empty()) {
-            throw CLI::ValidationError(flag, fmt::format("not three numbers X,Y,Z: '{}'", text));
+            throw CLI::ValidationError(flag,
+                                       fmt::format("not three numbers X,Y,Z from {} to {}: '{}'",
+                                                   -kMostUnits, kMostUnits, text));
         }
         point = p;
     };
@@ -126,6 +130,18 @@ void changeCamera(const SceneOptions& options, render::Scene& scene) {
     if (options.focus) camera.focusDistance = static_cast<float>(*options.focus);
 }
 
+/// Puts `text` in the place of a note that the options made untrue; nothing if that is empty.
+void replaceNote(std::vector<std::string>& notes, std::string_view untrue,
+                 const std::string& text) {
+    const auto note = std::find(notes.begin(), notes.end(), untrue);
+    if (note == notes.end()) return;
+    if (text.empty()) {
+        notes.erase(note);
+    } else {
+        *note = text;
+    }
+}
+
 } // namespace
 
 CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
@@ -148,9 +164,10 @@ CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
     addPoint(command, "--look-at", options.lookAt, "Where it looks, and is focused");
     addPoint(command, "--up", options.up, "What is up in the picture [0,1,0]");
     addReal(command, "--fov", options.fov, {0.001, 179}, "Vertical field of view in degrees");
-    addReal(command, "--lens-radius", options.lensRadius, {0, 1e30},
+    addReal(command, "--lens-radius", options.lensRadius, {0, kMostUnits},
             "In units of the scene; 0 is a pinhole");
-    addReal(command, "--focus", options.focus, {1e-30, 1e30}, "Distance of what is sharp");
+    addReal(command, "--focus", options.focus, {1 / kMostUnits, kMostUnits},
+            "Distance of what is sharp");
     return scene;
 }
 
@@ -164,8 +181,17 @@ std::string sceneList() {
 
 render::Scene loadScene(const SceneOptions& options) {
     render::Scene scene = sceneOf(options.scene);
-    if (options.environment) scene.environment = render::readEnvironment(*options.environment);
+    if (options.environment) {
+        scene.environment = render::readEnvironment(*options.environment, &scene.notes);
+        replaceNote(scene.notes, render::kNoLightNote, "");
+    }
     changeCamera(options, scene);
+    if (options.position) {
+        replaceNote(scene.notes, render::kNoCameraNote, "");
+    } else if (options.lookAt || options.up || options.fov) {
+        replaceNote(scene.notes, render::kNoCameraNote,
+                    "There is no camera: it stands in front of the scene.");
+    }
     return scene;
 }
 

@@ -14,6 +14,9 @@ over patterns 0, 1, 2, ... Integrands: 'wellstrat study --list'. A product over 
 written disk^3 or disk*linear; classic, edges, sines, boxes, pixels, products, 1d and 3d stand for
 several. Counts: 4,16,100 or all:1..4096 or pow2:4..4096.
 
+The +- of a slope says how well a line fits; not how certain the slope is: errors at neighboring N
+come from the same patterns.
+
 Ctrl-C writes the results of the patterns that are finished, and FILE.state, from which the same
 command with --resume goes on (also with more --patterns). Built with MPI, the same command under
 mpirun splits the work. Threads and processes change no bit of the results.

@@ -117,7 +117,9 @@ std::string studyTable(const StudyPlan& plan, const StudyResult& result,
                        const std::vector<uint32_t>& columns) {
     std::size_t width = 9;
     for (const StudySource& source : plan.sources) width = std::max(width, source.name.size());
-    std::string text = fmt::format("{}\nRMSE over {} patterns\n", versionLine(), result.patterns);
+    std::string text = fmt::format(
+        "{}\nRMSE over {} patterns; +- says how well a line fits, not how certain the slope is\n",
+        versionLine(), result.patterns);
     const auto out = std::back_inserter(text);
     const Integrand* shown = nullptr;
     for (const StudyCurve& curve : curves) {

@@ -7,6 +7,7 @@
 #include "sampling.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstring>
@@ -48,19 +49,24 @@ private:
     PatternTable table_;
 };
 
+/// `more` is what is accepted beside generators.
+StudySourceKind findKind(const std::string& option, const std::string& name, const char* more) {
+    std::vector<std::string> names;
+    for (StudySourceKind& kind : studySourceKinds()) {
+        if (kind.name == name) return std::move(kind);
+        names.push_back(kind.name);
+    }
+    throw CliError(fmt::format("{}: no generator is called '{}'; there are {}{}", option, name,
+                               fmt::join(names, ", "), more));
+}
+
 PointSourcePtr makeSource(const std::string& name) {
     if (name.rfind(kFilePrefix, 0) == 0) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
         return std::make_unique<FileSource>(readPatterns(options));
     }
-    std::string names;
-    for (const StudySourceKind& kind : studySourceKinds()) {
-        if (kind.name == name) return kind.make();
-        names += kind.name + ", ";
-    }
-    throw CliError(fmt::format("--generators: no generator is called '{}'; there are {}file:PATH",
-                               name, names));
+    return findKind("--generators", name, ", file:PATH").make();
 }
 
 } // namespace
@@ -82,6 +88,10 @@ std::vector<StudySourceKind> studySourceKinds() {
     kinds.push_back({"jitter", "jittered grids, new ones for each N", jitteredSource});
     for (StudySourceKind& kind : librarySourceKinds()) kinds.push_back(std::move(kind));
     return kinds;
+}
+
+StudySourceKind findStudySource(const std::string& option, const std::string& name) {
+    return findKind(option, name, "");
 }
 
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names) {

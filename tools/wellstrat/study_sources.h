@@ -25,6 +25,10 @@ std::vector<StudySourceKind> studySourceKinds();
 /// The generators of GSL and Boost; none of a library that this build does not have.
 std::vector<StudySourceKind> librarySourceKinds();
 
+/// The one called `name`. Throws CliError, which names `option` and all generators, if there is
+/// none.
+StudySourceKind findStudySource(const std::string& option, const std::string& name);
+
 /// The sources with these names. "file:PATH" is a file of points, of one pattern or, as a NumPy
 /// array with the axes (patterns, points, coordinates), of many. Throws CliError.
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names);

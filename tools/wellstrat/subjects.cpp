@@ -3,6 +3,7 @@
 #include "subjects.h"
 
 #include "errors.h"
+#include "sampling.h"
 #include "wellstrat/camera.h"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 namespace wellstrat::cli {
@@ -81,6 +83,56 @@ Streams domainStreams(const UnitPoints& points, const std::vector<unsigned>& dom
     return streams;
 }
 
+/// A generator as the families need it.
+struct PatternDrawer {
+    std::function<UnitPoints(uint32_t)> points, familyPoints;
+    Streams domains; ///< of the first pattern
+};
+
+PatternDrawer ownDrawer(const NamedGenerator& generator, const GeneratedPoints& generated) {
+    const auto points = [&generator, dims = generated.dims,
+                         count = generated.count](uint32_t pattern) {
+        return drawPoints({&generator, dims, pattern, 0, count});
+    };
+    PatternDrawer drawer{points, points, {}};
+    for (unsigned d = 0; d < kMaxStreams; ++d) {
+        const SampleCtx domain =
+            SampleCtx{generated.pattern, 0}.NewDomain(static_cast<Scramble>(d));
+        drawer.domains.push_back({fmt::format("domain {}", d), points(domain.patternid)});
+    }
+    return drawer;
+}
+
+/// The first domain of other sources has the order of the sequence, the same in all patterns; the
+/// second one stands for all further ones.
+PatternDrawer sourceDrawer(const PointSource& source, const GeneratedPoints& generated) {
+    const auto draw = [&source, dims = generated.dims, count = generated.count](uint32_t pattern,
+                                                                                unsigned domains) {
+        const DomainDims each(domains, dims);
+        std::vector<double> values(count * totalDims(each));
+        source.draw(pattern, each, count, values.data());
+        return UnitPoints(values.data(), count, totalDims(each));
+    };
+    const DomainDims domains(kMaxIntegrandDomains, generated.dims);
+    try {
+        source.check(domains, generated.count, uint64_t{1} << 32);
+    } catch (const std::invalid_argument& error) {
+        throw CliError(fmt::format("{}: {}", generated.name, error.what()));
+    }
+    const auto second = [draw, dims = generated.dims](uint32_t pattern) {
+        return domainStreams(draw(pattern, 2), {dims, dims})[1].points;
+    };
+    return {[draw](uint32_t pattern) { return draw(pattern, 1); }, second,
+            domainStreams(draw(generated.pattern, kMaxIntegrandDomains), domains)};
+}
+
+PatternDrawer drawerOf(const PointSource& source, const GeneratedPoints& generated) {
+    for (const NamedGenerator& own : namedGenerators()) {
+        if (own.name == generated.name) return ownDrawer(own, generated);
+    }
+    return sourceDrawer(source, generated);
+}
+
 Streams firstStreams(const Streams& streams) {
     return {streams.begin(), streams.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(
                                                    streams.size(), kMaxStreams))};
@@ -104,34 +156,25 @@ Subject fileSubject(const PointFiles& files) {
     return subject;
 }
 
-Subject generatorSubject(const GeneratedPoints& generated) {
-    const auto points = [generated](uint32_t pattern) {
-        return drawPoints({generated.generator, generated.dims, pattern, 0, generated.count});
-    };
+Subject generatorSubject(const GeneratedPoints& generated, const PointSource& source) {
+    PatternDrawer drawer = drawerOf(source, generated);
     const uint32_t first = generated.pattern;
-    Streams domains;
-    for (unsigned d = 0; d < kMaxStreams; ++d) {
-        const SampleCtx domain = SampleCtx{first, 0}.NewDomain(static_cast<Scramble>(d));
-        domains.push_back({fmt::format("domain {}", d), points(domain.patternid)});
-    }
-    return {fmt::format("{}, pattern {}", generated.generator->name, first),
-            {[points, first](std::size_t r) { return points(first + static_cast<uint32_t>(r)); },
-             generated.realizations, streamFamilies(points, first, std::move(domains))}};
-}
-
-StreamFamilies streamFamilies(const std::function<UnitPoints(uint32_t)>& points, uint32_t pattern,
-                              std::vector<SampleStream> domains) {
     Streams patterns, pixels;
     for (unsigned s = 0; s < kMaxStreams; ++s) {
-        patterns.push_back({fmt::format("pattern {}", pattern + s), points(pattern + s)});
+        patterns.push_back({fmt::format("pattern {}", first + s), drawer.familyPoints(first + s)});
         const int x = static_cast<int>(s % 2), y = static_cast<int>(s / 2 % 2);
         const unsigned frame = s / 4;
         pixels.push_back({fmt::format("pixel ({}, {}) frame {}", x, y, frame),
-                          points(cameraContext(x, y, frame, 0).patternid)});
+                          drawer.familyPoints(cameraContext(x, y, frame, 0).patternid)});
     }
-    return {{"patterns", std::move(patterns)},
-            {"pixels and frames", std::move(pixels)},
-            {"domains", std::move(domains)}};
+    return {fmt::format("{}, pattern {}", generated.name, first),
+            {[points = drawer.points, first](std::size_t r) {
+                 return points(first + static_cast<uint32_t>(r));
+             },
+             generated.realizations,
+             {{"patterns", std::move(patterns)},
+              {"pixels and frames", std::move(pixels)},
+              {"domains", std::move(drawer.domains)}}}};
 }
 
 } // namespace wellstrat::cli

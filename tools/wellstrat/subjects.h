@@ -6,7 +6,7 @@
 
 #include "measures.h"
 #include "point_file.h"
-#include "sampling.h"
+#include "wellstrat/analysis/point_source.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -41,9 +41,9 @@ struct PointFiles {
 /// Families: patterns, if there are several; domains, if there are several. Throws CliError.
 Subject fileSubject(const PointFiles& files);
 
-/// Samples of consecutive patterns of a generator.
+/// Points of consecutive patterns of a generator, any that a study can compare.
 struct GeneratedPoints {
-    const NamedGenerator* generator;
+    std::string name;
     unsigned dims; ///< 1, 2 or 3
     uint64_t count;
     uint32_t pattern; ///< the first one
@@ -51,14 +51,8 @@ struct GeneratedPoints {
 };
 
 /// Families are what a renderer combines: patterns in a row, neighboring pixels and frames, and
-/// domains of one context.
-Subject generatorSubject(const GeneratedPoints& generated);
-
-using StreamFamilies = std::vector<std::pair<std::string, std::vector<SampleStream>>>;
-
-/// The same families for anything that draws patterns: patterns from `pattern` on, those that
-/// cameraContext gives to pixels and frames, and some domains.
-StreamFamilies streamFamilies(const std::function<UnitPoints(uint32_t)>& points, uint32_t pattern,
-                              std::vector<SampleStream> domains);
+/// domains of one context. Our own generators are drawn from as `sample` does. `source` is the
+/// generator; it must outlive the subject. Throws CliError if it cannot draw these points.
+Subject generatorSubject(const GeneratedPoints& generated, const PointSource& source);
 
 } // namespace wellstrat::cli

@@ -63,7 +63,8 @@ struct SlopeFit {
 };
 
 /// The least-squares line through (log counts[i], log rmse[i]), over the i with
-/// counts[i] >= firstCount and an RMSE above 0.
+/// counts[i] >= firstCount and an RMSE above 0. The standard error says how well a line fits, not
+/// how certain the slope is: errors at neighboring counts come from the same patterns.
 WELLSTRAT_API SlopeFit fitSlope(const std::vector<uint32_t>& counts,
                                 const std::vector<double>& rmse, uint32_t firstCount);
 

@@ -8,7 +8,10 @@
 //     correlation   Pearson's, against its spread under a random order, 1 / sqrt(N - 1)
 //     chi-square    of the counts in a grid of cells, against what their rows and columns lead to
 //                   expect (Pearson 1900; the test of independence in a contingency table). Sees
-//                   dependence without correlation. Counts that are too even are dependence, too
+//                   dependence without correlation. Counts that are too even are dependence, too;
+//                   but the distribution of chi-square, which is continuous, holds them for far
+//                   too unlikely, down to impossible. Their probability is therefore at least that
+//                   of exactly these counts, if rows and columns are given (Fisher 1922)
 //
 // The order of well-stratified streams is not quite random (a nested shuffle keeps blocks
 // together), so that probabilities of pairs of them are a yardstick more than a test of a
@@ -54,7 +57,8 @@ struct IndependenceReport {
 };
 
 /// Tests each coordinate of each stream against each coordinate of all others, with a grid of
-/// gridSide^2 cells, and names the `worstCount` most unlikely pairs. Throws PointError for less
+/// gridSide^2 cells, and names the `worstCount` most unlikely pairs; of those too unlikely for a
+/// double, whose probability is 0, the most correlated ones first. Throws PointError for less
 /// than two streams, different numbers of points, less than three points, and a gridSide outside
 /// [2, 1024]. Time: 2 steps a point and pair of coordinates.
 WELLSTRAT_API IndependenceReport testIndependence(const std::vector<SampleStream>& streams,
