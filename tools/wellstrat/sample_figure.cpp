@@ -28,15 +28,14 @@ void writeGrid(PlotData& data, const StrataPanel& panel) {
 }
 
 /// From, to and the number of points of the 1D strata that hold any. Each stands apart from its
-/// neighbors if they are few. Else equal neighbors are merged: gaps near the size of a pixel would
-/// be drawn as some wide white ones.
+/// neighbors while there is room for that; beyond, equal neighbors are merged.
 void writeStrata(PlotData& data, const PanelAxis& axis, unsigned count) {
-    const bool apart = count < 64;
-    const double gap = apart ? 0.08 : 0.0;
+    constexpr unsigned kMaxApart = 256;
+    const double gap = count <= kMaxApart ? 0.08 : 0.0;
     const std::vector<unsigned> points = strataCounts(axis, count);
     for (unsigned begin = 0, end = 0; begin < count; begin = end) {
         end = begin + 1;
-        while (!apart && end < count && points[end] == points[begin]) ++end;
+        while (count > kMaxApart && end < count && points[end] == points[begin]) ++end;
         if (points[begin] == 0) continue;
         data.line("{:.7f} {:.7f} {}", (begin + gap) / count, (end - gap) / count, points[begin]);
     }
