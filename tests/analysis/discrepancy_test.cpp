@@ -222,7 +222,8 @@ TEST(StarDiscrepancy, RejectsMoreThanThreeDimensions) {
 /// A flipped bit of a generator matrix.
 TEST(Discrepancy, SeesAWrongMatrixColumn) {
     test::RawPoints wrong = sobolPoints(10, 2);
-    for (std::size_t i = 0; i < wrong.count(); ++i) wrong.at(i, 1) ^= (i & 512u) << 21;
+    for (std::size_t i = 0; i < wrong.count(); ++i)
+        wrong.at(i, 1) ^= static_cast<uint32_t>(i & 512u) << 21;
     const UnitPoints right = unitPoints(sobolPoints(10, 2));
     EXPECT_GT(starDiscrepancy(unitPoints(wrong)).lower, 1.5 * starDiscrepancy(right).lower);
     for (const L2Kind kind : kKinds) {
