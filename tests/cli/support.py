@@ -5,6 +5,7 @@ import array
 import ast
 import os
 import pty
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -61,6 +62,35 @@ class CliTest(unittest.TestCase):
         self.assertIn(mentions, message, arguments)
         self.assertFalse(process.stdout, arguments)
         self.assertEqual({name: self.read(name) for name in self.files()}, before, arguments)
+
+
+def children(process):
+    """The ids of the processes that a process has started."""
+    with open(f"/proc/{process}/task/{process}/children", encoding="ascii") as file:
+        return [int(child) for child in file.read().split()]
+
+
+@unittest.skipUnless(os.environ.get("WELLSTRAT_WITH_MPI") == "1" and shutil.which("mpirun"),
+                     "built without MPI")
+class MpiCase(CliTest):
+    """Runs the program in several processes at once."""
+
+    def command(self, processes, *arguments):
+        return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(processes), PROGRAM,
+                *arguments]
+
+    def mpirun(self, processes, *arguments):
+        return subprocess.run(self.command(processes, *arguments), cwd=self.directory,
+                              stdin=subprocess.DEVNULL, capture_output=True, timeout=200,
+                              check=False)
+
+    def rank(self, launcher, rank):
+        """The process id of one of the processes that `launcher` has started."""
+        for process in children(launcher.pid):
+            with open(f"/proc/{process}/environ", "rb") as file:
+                if b"OMPI_COMM_WORLD_RANK=%d" % rank in file.read().split(b"\0"):
+                    return process
+        return self.fail(f"there is no rank {rank}")
 
 
 def floats(data):

@@ -4,14 +4,13 @@
 import math
 import os
 import re
-import shutil
 import signal
 import struct
 import subprocess
 import time
 import unittest
 
-from support import PROGRAM, CliTest
+from support import PROGRAM, CliTest, MpiCase
 
 SIZE = ("--size", "50x35")  # tiles that are cut off on both sides
 SMALL = ("render", "cornell", *SIZE, "--spp", "24")
@@ -333,18 +332,7 @@ class InterruptTest(UnfinishedCase):
         self.assert_same("resumed.exr", "whole.exr")
 
 
-@unittest.skipUnless(os.environ.get("WELLSTRAT_WITH_MPI") == "1" and shutil.which("mpirun"),
-                     "built without MPI")
-class MpiTest(UnfinishedCase):
-    def command(self, processes, *arguments):
-        return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(processes), PROGRAM,
-                *arguments]
-
-    def mpirun(self, processes, *arguments):
-        return subprocess.run(self.command(processes, *arguments), cwd=self.directory,
-                              stdin=subprocess.DEVNULL, capture_output=True, timeout=200,
-                              check=False)
-
+class MpiTest(MpiCase, UnfinishedCase):
     def test_ranks_change_no_bit(self):
         self.output_of("render", "cornell", *SIZE, "--samples", "0:7", "-o", "start.exr")
         for more in (("--spp", "24"), ("--spp", "128", "--noise", "0.2"),
@@ -369,11 +357,8 @@ class MpiTest(UnfinishedCase):
         self.assert_goes_on("image.exr")
 
     def test_a_killed_rank_ends_all(self):
-        def kill_rank(launcher):
-            children = subprocess.run(["pgrep", "-P", str(launcher.pid), "wellstrat"],
-                                      capture_output=True, check=True).stdout.split()
-            os.kill(int(children[1]), signal.SIGKILL)
-        code, errors = self.run_until(self.command(2, *LONG), kill_rank)
+        code, errors = self.run_until(
+            self.command(2, *LONG), lambda launcher: os.kill(self.rank(launcher, 1), signal.SIGKILL))
         self.assertNotEqual(code, 0)
         self.assertRegex(errors, r"rank \d+[^.]*signal 9")
         self.assert_goes_on("part.exr")

@@ -13,7 +13,7 @@ import subprocess
 import time
 import unittest
 
-from support import PROGRAM, CliTest
+from support import PROGRAM, CliTest, MpiCase
 
 SMALL = ("study", "--generators", "pmj,random,jitter", "--integrands", "disk,linear,disk^2",
          "--counts", "4,16,64", "--patterns", "60")
@@ -121,12 +121,6 @@ class StudyTest(CliTest):
         self.assertEqual(self.read("error.dat").count(b"# curve"), 9)
 
 
-def children(process):
-    """The ids of the processes that a process has started."""
-    with open(f"/proc/{process}/task/{process}/children", encoding="ascii") as file:
-        return [int(child) for child in file.read().split()]
-
-
 class UnfinishedTest(CliTest):
     @contextlib.contextmanager
     def unfinished(self, command, state="r.csv.state"):
@@ -214,26 +208,7 @@ class ResumeTest(UnfinishedTest):
             self.assert_fails(*ENDLESS, "--resume", mentions="--resume")
 
 
-@unittest.skipUnless(os.environ.get("WELLSTRAT_WITH_MPI") == "1" and shutil.which("mpirun"),
-                     "built without MPI")
-class MpiTest(UnfinishedTest):
-    def command(self, processes, *arguments):
-        return ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(processes), PROGRAM,
-                *arguments]
-
-    def mpirun(self, processes, *arguments):
-        return subprocess.run(self.command(processes, *arguments), cwd=self.directory,
-                              stdin=subprocess.DEVNULL, capture_output=True, timeout=200,
-                              check=False)
-
-    def rank(self, launcher, rank):
-        """The process id of one of the processes that `launcher` has started."""
-        for process in children(launcher.pid):
-            with open(f"/proc/{process}/environ", "rb") as file:
-                if b"OMPI_COMM_WORLD_RANK=%d" % rank in file.read().split(b"\0"):
-                    return process
-        return self.fail(f"there is no rank {rank}")
-
+class MpiTest(MpiCase, UnfinishedTest):
     def test_splits_change_no_bit(self):
         self.output_of(*SMALL, "-o", "alone.csv")
         for processes in (1, 2, 3, 4):
