@@ -88,7 +88,7 @@ int run(int argc, char** argv) {
 }
 
 /// Lets threads keep the memory that they free for their next task. Given back to the system, it
-/// would be cleared each time, which takes a third of the time of a study.
+/// would be cleared each time, which takes a quarter of the time of a study.
 void keepFreedMemory() {
 #if defined(__GLIBC__)
     mallopt(M_MMAP_THRESHOLD, 1 << 26);
