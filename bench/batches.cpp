@@ -6,6 +6,7 @@
 
 #include "contexts.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/joint.h"
 
 #include <string>
 
@@ -17,11 +18,12 @@ constexpr auto kScramble = static_cast<Scramble>(0x2d96c92bu);
 /// Draws of a whole RixRNG. The contexts are as the access says, and coherent ones step on by one
 /// sample with each iteration, as a progressive renderer does.
 template <typename Sample>
-void draw(benchmark::State& state, Access access, void (RixRNG::*function)(Sample*) const) {
+void draw(benchmark::State& state, Access access, void (RixRNG::*function)(Sample*) const,
+          const Generator* generator = nullptr) {
     const auto n = static_cast<std::size_t>(state.range(0));
     std::vector<SampleCtx> contexts = makeContexts(n, access);
     std::vector<Sample> xis(n);
-    const RixRNG rng(contexts.data(), static_cast<unsigned>(n));
+    const RixRNG rng(contexts.data(), static_cast<unsigned>(n), generator);
     for (auto _ : state) {
         if (access == Access::coherent) {
             for (SampleCtx& sc : contexts) sc.sampleid = (sc.sampleid + 1) % 4096;
@@ -88,6 +90,9 @@ void registerBatches() {
     constexpr auto draw2D = static_cast<void (RixRNG::*)(RtFloat2*) const>(&RixRNG::DrawSamples2D);
     constexpr auto draw3D = static_cast<void (RixRNG::*)(RtFloat3*) const>(&RixRNG::DrawSamples3D);
 
+    const Generator* slot = JointProgressive().ForChild(jointScramble(1), 1);
+    const Generator* splitSlot = JointProgressive().ForChild(jointScramble(1), 4);
+
     RegisterBenchmark("step contexts", stepContexts)->Arg(4096);
     for (unsigned i = 0; const char* target = batchTarget(i); ++i) {
         const auto add = [&](const std::string& what, auto function) {
@@ -107,6 +112,23 @@ void registerBatches() {
             ->Arg(65536);
         add("coherent 3D", [](auto& s) { draw(s, Access::coherent, draw3D); })->Arg(4096);
         add("random 2D", [](auto& s) { draw(s, Access::random, draw2D); })->Arg(4096)->Arg(65536);
+        add("joint coherent 1D", [=](auto& s) {
+            draw(s, Access::coherent, draw1D, slot);
+        })->Arg(4096);
+        add("joint coherent 2D", [=](auto& s) { draw(s, Access::coherent, draw2D, slot); })
+            ->Arg(16)
+            ->Arg(256)
+            ->Arg(4096)
+            ->Arg(65536);
+        add("joint coherent 3D", [=](auto& s) {
+            draw(s, Access::coherent, draw3D, slot);
+        })->Arg(4096);
+        add("joint random 2D", [=](auto& s) { draw(s, Access::random, draw2D, slot); })
+            ->Arg(4096)
+            ->Arg(65536);
+        add("split joint random 2D", [=](auto& s) {
+            draw(s, Access::random, draw2D, splitSlot);
+        })->Arg(4096);
         add("one pattern 2D", [](auto& s) { draw(s, Access::onePattern, draw2D); })->Arg(4096);
         add("new domains", derive)->Arg(4096);
         add("new domains, draw 2D", deriveThenDraw)->Arg(4096);

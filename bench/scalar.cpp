@@ -3,6 +3,7 @@
 // Single draws, inlined into the caller's loop.
 
 #include "contexts.h"
+#include "wellstrat/joint.h"
 #include "wellstrat/random_generator.h"
 
 #include <utility>
@@ -37,6 +38,25 @@ void scalar3D(benchmark::State& state) { drawEach(state, draw3D); }
 BENCHMARK(scalar1D)->Name("scalar 1D");
 BENCHMARK(scalar2D)->Name("scalar 2D");
 BENCHMARK(scalar3D)->Name("scalar 3D");
+
+template <typename Draw>
+void drawEachFromSlot(benchmark::State& state, Draw draw) {
+    drawEach(state, draw, JointProgressive().ForChild(jointScramble(1), 1));
+}
+
+void joint1D(benchmark::State& state) { drawEachFromSlot(state, draw1D); }
+void joint2D(benchmark::State& state) { drawEachFromSlot(state, draw2D); }
+void joint3D(benchmark::State& state) { drawEachFromSlot(state, draw3D); }
+BENCHMARK(joint1D)->Name("joint scalar 1D");
+BENCHMARK(joint2D)->Name("joint scalar 2D");
+BENCHMARK(joint3D)->Name("joint scalar 3D");
+
+/// What a padded domain of a JointProgressive costs more than one without a generator.
+void padded2D(benchmark::State& state) {
+    const JointProgressive joint;
+    drawEach(state, draw2D, &joint);
+}
+BENCHMARK(padded2D)->Name("scalar 2D by JointProgressive, padded");
 
 void scalar2DRandom(benchmark::State& state) {
     const RandomGenerator generator;

@@ -83,18 +83,19 @@ void DirectLight::sample(const RixRNG& hits, unsigned bounce, PathBatch& batch,
         batch.paths[i].lightSamples = sampleCount(bounce, batch.paths[i]);
     }
     if (!lights_.empty()) {
-        forEachSample(lightDomain(hits, kLightScramble, options_, bounce, batch.domain), batch,
-                      [&](unsigned i, Float2 xi) {
+        forEachSample(lightDomain(hits, lightScramble(bounce), options_, bounce, batch.domain),
+                      batch, [&](unsigned i, Float2 xi) {
                           const Path& path = batch.paths[i];
                           results[path.point] += lightSample(path, batch.vertices[i], xi);
                       });
     }
     if (environment_ && environment_->canSample()) {
-        forEachSample(lightDomain(hits, kEnvironmentScramble, options_, bounce, batch.domain),
-                      batch, [&](unsigned i, Float2 xi) {
-                          const Path& path = batch.paths[i];
-                          results[path.point] += environmentSample(path, batch.vertices[i], xi);
-                      });
+        forEachSample(
+            lightDomain(hits, environmentScramble(bounce), options_, bounce, batch.domain), batch,
+            [&](unsigned i, Float2 xi) {
+                const Path& path = batch.paths[i];
+                results[path.point] += environmentSample(path, batch.vertices[i], xi);
+            });
     }
 }
 

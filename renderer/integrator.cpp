@@ -5,6 +5,7 @@
 #include "sampling_domains.h"
 
 #include <RixShadingUtils.h>
+#include <wellstrat/camera.h>
 
 #include <algorithm>
 
@@ -63,9 +64,9 @@ void Integrator::startPaths(const RixRNG& camera, const CameraSample* samples,
     RtFloat2 inPicture[kBatchSize];
     RtFloat2 onLens[kBatchSize];
     float times[kBatchSize];
-    RixRNG(camera, kPixelFilterScramble, batch.domain).DrawSamples2D(inPicture);
-    RixRNG(camera, kLensScramble, batch.domain).DrawSamples2D(onLens);
-    RixRNG(camera, kTimeScramble, batch.domain).DrawSamples1D(times);
+    RixRNG(camera, kPixelScramble, batch.domain).DrawSamples2D(inPicture);
+    RixRNG(camera, kApertureScramble, batch.domain).DrawSamples2D(onLens);
+    RixRNG(camera, kShutterScramble, batch.domain).DrawSamples1D(times);
     for (unsigned i = 0; i < camera.numPts; ++i) {
         const Float2 center(static_cast<float>(samples[i].x) + 0.5f,
                             static_cast<float>(samples[i].y) + 0.5f);
@@ -101,7 +102,7 @@ unsigned Integrator::findHits(unsigned count, unsigned bounce, PathBatch& batch,
 
 /// Sends all paths on in a direction of their bxdf. Returns how many are left.
 unsigned Integrator::scatter(const RixRNG& hits, unsigned bounce, PathBatch& batch) const {
-    RixRNG(hits, kBxdfScramble, batch.domain).DrawSamples2D(batch.xi);
+    RixRNG(hits, bxdfScramble(bounce), batch.domain).DrawSamples2D(batch.xi);
     unsigned left = 0;
     for (unsigned i = 0; i < hits.numPts; ++i) {
         Path path = batch.paths[i];

@@ -3,12 +3,16 @@
 #include "wellstrat/analysis/point_source.h"
 
 #include "wellstrat/batch.h"
+#include "wellstrat/joint.h"
 #include "wellstrat/owen.h"
 #include "wellstrat/sobol.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace wellstrat {
@@ -81,7 +85,9 @@ void drawDomain(const Generator* generator, const Contexts& contexts, unsigned d
 
 class GeneratorSource final : public PointSource {
 public:
-    explicit GeneratorSource(const Generator* generator) : generator_(generator) {}
+    /// Domain d is derived by scrambles[d], or beyond them by d, from a camera with the generator.
+    explicit GeneratorSource(const Generator* generator, std::vector<Scramble> scrambles = {})
+        : generator_(generator), scrambles_(std::move(scrambles)) {}
 
     void draw(uint32_t pattern, const DomainDims& domains, std::size_t count,
               double* points) const override {
@@ -89,20 +95,27 @@ public:
         Contexts contexts(count);
         forEachDomain(domains, points,
                       [&](uint32_t domain, unsigned dims, double* out, unsigned stride) {
-                          const SampleCtx first =
-                              SampleCtx{pattern, 0}.NewDomain(static_cast<Scramble>(domain));
+                          const Scramble scramble = scrambleOf(domain);
+                          const SampleCtx first = SampleCtx{pattern, 0}.NewDomain(scramble);
                           for (std::size_t i = 0; i < count; ++i) {
                               contexts[i] = {first.patternid, static_cast<unsigned>(i)};
                           }
                           const auto drawAny = dims == 1   ? drawDomain<float>
                                                : dims == 2 ? drawDomain<Float2>
                                                            : drawDomain<Float3>;
-                          drawAny(generator_, contexts, dims, out, stride);
+                          const Generator* generator =
+                              generator_ ? generator_->ForChild(scramble, 1) : nullptr;
+                          drawAny(generator, contexts, dims, out, stride);
                       });
     }
 
 private:
+    Scramble scrambleOf(uint32_t domain) const {
+        return domain < scrambles_.size() ? scrambles_[domain] : static_cast<Scramble>(domain);
+    }
+
     const Generator* generator_;
+    std::vector<Scramble> scrambles_;
 };
 
 class SobolSource final : public PointSource {
@@ -213,6 +226,27 @@ void PointSource::check(const DomainDims& /*domains*/, std::size_t /*count*/,
 
 PointSourcePtr generatorSource(const Generator* generator) {
     return std::make_unique<GeneratorSource>(generator);
+}
+
+PointSourcePtr jointSource(const std::vector<unsigned>& slots) {
+    static const JointProgressive joint;
+    std::vector<Scramble> scrambles;
+    for (const unsigned slot : slots) {
+        const Scramble scramble = jointScramble(slot);
+        if (slot >= kJointSlots) {
+            throw std::invalid_argument("slots are 0 to " + std::to_string(kJointSlots - 1) +
+                                        ", not " + std::to_string(slot));
+        }
+        if (std::count(scrambles.begin(), scrambles.end(), scramble) > 0) {
+            throw std::invalid_argument("slot " + std::to_string(slot) +
+                                        " comes twice; each is for one domain");
+        }
+        scrambles.push_back(scramble);
+    }
+    for (unsigned slot = 0; slots.empty() && slot < kJointSlots; ++slot) {
+        scrambles.push_back(jointScramble(slot));
+    }
+    return std::make_unique<GeneratorSource>(&joint, std::move(scrambles));
 }
 
 PointSourcePtr sobolSource(SobolRandomization randomization) {

@@ -4,6 +4,7 @@
 
 #include "batch/kernels.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/joint.h"
 
 #include <atomic>
 #include <cstring>
@@ -76,6 +77,21 @@ void generateSamples2D(std::size_t n, SampleCtx* contexts, Float2* xis) {
 
 void generateSamples3D(std::size_t n, SampleCtx* contexts, Float3* xis) {
     if (n > 0) kernels().draw3D(n, tables(), contexts, 1, xis);
+}
+
+void drawJointSamples1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        float* xis) {
+    if (n > 0) kernels().drawJoint1D(n, tables(), contexts, slot, split, xis);
+}
+
+void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        Float2* xis) {
+    if (n > 0) kernels().drawJoint2D(n, tables(), contexts, slot, split, xis);
+}
+
+void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        Float3* xis) {
+    if (n > 0) kernels().drawJoint3D(n, tables(), contexts, slot, split, xis);
 }
 
 void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {

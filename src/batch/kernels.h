@@ -20,6 +20,12 @@ struct Kernels {
                    Float2* xis);
     void (*draw3D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    Float3* xis);
+    void (*drawJoint1D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
+                        unsigned slot, unsigned split, float* xis);
+    void (*drawJoint2D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
+                        unsigned slot, unsigned split, Float2* xis);
+    void (*drawJoint3D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
+                        unsigned slot, unsigned split, Float3* xis);
     void (*newDomainsSplit)(std::size_t n, const SampleCtx* parents, Scramble scramble,
                             unsigned newnumsamples, SampleCtx* children);
     void (*newDomainsDistrib)(std::size_t n, const SampleCtx* parents, Scramble scramble,

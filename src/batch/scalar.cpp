@@ -3,6 +3,7 @@
 #include "batch/kernels.h"
 
 #include "wellstrat/domain.h"
+#include "wellstrat/joint_lookup.h"
 #include "wellstrat/lookup.h"
 
 namespace wellstrat {
@@ -14,6 +15,14 @@ void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned st
     for (std::size_t i = 0; i < n; ++i) {
         xis[i] = kSample(words, contexts[i].patternid, contexts[i].sampleid);
         if (step != 0) contexts[i].sampleid += step;
+    }
+}
+
+template <auto kSample, typename Sample>
+void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, unsigned slot,
+               unsigned split, Sample* xis) {
+    for (std::size_t i = 0; i < n; ++i) {
+        xis[i] = kSample(words, contexts[i].patternid, contexts[i].sampleid, slot, split);
     }
 }
 
@@ -48,6 +57,9 @@ const Kernels kScalarKernels = {
     draw<static_cast<Sample1D>(sample1D)>,
     draw<static_cast<Sample2D>(sample2D)>,
     draw<static_cast<Sample3D>(sample3D)>,
+    drawJoint<jointSample1D>,
+    drawJoint<jointSample2D>,
+    drawJoint<jointSample3D>,
     newDomainsSplit,
     newDomainsDistrib,
     hashToRandom,

@@ -5,10 +5,13 @@
 //
 // Each function here has the name of the scalar function whose bits it computes.
 
+#include "batch/joint_orders.h"
 #include "batch/kernels.h"
 
 #include "wellstrat/lookup.h"
 
+// Highway's own assertions would need its library.
+#define HWY_IS_DEBUG_BUILD 0
 // Left out: registers of no fixed size, and what gains nothing over the next target.
 #define HWY_DISABLED_TARGETS                                                                       \
     (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
@@ -17,6 +20,8 @@
 #include "hwy/foreach_target.h"
 
 #include "hwy/highway.h"
+
+#include <type_traits>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 HWY_BEFORE_NAMESPACE();
@@ -91,13 +96,23 @@ HWY_INLINE V shuffledPlace(V seed, V sampleid) {
     return hn::ShiftRight<24>(r);
 }
 
-HWY_INLINE V sampleOffset(V seed, V sampleid) {
-    const V block = hn::ShiftRight<kTableSizeLog2>(sampleid);
-    const V word = hn::Add(seed, hn::Mul(block, constant(kBlockStep)));
-    const V table = hn::ShiftRight<23>(hn::Mul(hn::ShiftRight<9>(word), constant(kTableCount)));
-    const V groupStart = hn::And(sampleid, constant(kTableSize - kGroupSize));
+HWY_INLINE V scaleToRange(V x, uint32_t n) {
+    return hn::ShiftRight<23>(hn::Mul(hn::ShiftRight<9>(x), constant(n)));
+}
+
+HWY_INLINE V tableOfBlock(V seed, V block) {
+    return scaleToRange(hn::Add(seed, hn::Mul(block, constant(kBlockStep))), kTableCount);
+}
+
+/// Where `place` in the group that starts at `groupStart` lies, in the table of this sampleid.
+HWY_INLINE V offsetOf(V seed, V sampleid, V groupStart, V place) {
+    const V table = tableOfBlock(seed, hn::ShiftRight<kTableSizeLog2>(sampleid));
     const V row = hn::Add(hn::Mul(groupStart, constant(kTableCount)), hn::ShiftLeft<8>(table));
-    return hn::Add(row, shuffledPlace(seed, sampleid));
+    return hn::Add(row, place);
+}
+
+HWY_INLINE V groupStartOf(V sampleid) {
+    return hn::And(sampleid, constant(kTableSize - kGroupSize));
 }
 
 HWY_INLINE V gather(const uint32_t* words, V offset) {
@@ -123,55 +138,244 @@ HWY_INLINE V shifted(V value, V seed, Coordinate coordinate) {
 static_assert(digitalShift(1, Coordinate::x) * 3u == digitalShift(3, Coordinate::x),
               "a digital shift is the seed times a constant");
 
-/// `stratified`, or in the lanes beyond the tables the random bits instead.
-HWY_INLINE V orRandom(V stratified, V patternid, V sampleid, Coordinate coordinate) {
-    const auto beyond = hn::Gt(sampleid, constant(kStratifiedSamples - 1));
+// The orders of samples. offset(seed, sampleid) is where the points of samples below `end` lie. For
+// others it means nothing, but is always inside the tables.
+
+/// sampleOffset.
+struct ShuffledOrder {
+    static constexpr uint32_t end = kStratifiedSamples;
+
+    HWY_INLINE V offset(V seed, V sampleid) const {
+        return offsetOf(seed, sampleid, groupStartOf(sampleid), shuffledPlace(seed, sampleid));
+    }
+};
+
+/// Both orders of an index at once, as JointDigits has them. In vectors of 8 or more words.
+class WideJointOrders {
+public:
+    explicit WideJointOrders(const JointDigits& digits) {
+        for (int i = 0; i < kDigits; ++i) {
+            tables_[i] = hn::LoadU(kWords, kBits == 3 ? digits.by3[i] : digits.by4[i]);
+        }
+    }
+
+    /// Both places of the low 12 bits of `index`.
+    HWY_INLINE V both(V index) const {
+        V sum = hn::Xor(found(tables_[0], index), found(tables_[1], hn::ShiftRight<kBits>(index)));
+        sum = hn::Xor(sum, found(tables_[2], hn::ShiftRight<2 * kBits>(index)));
+        if (kDigits == 3) return sum;
+        return hn::Xor(sum, found(tables_[kDigits - 1], hn::ShiftRight<3 * kBits>(index)));
+    }
+
+    /// The one for a pattern with this seed; above bit 11 anything.
+    static HWY_INLINE V chosen(V both, V seed) {
+        static_assert(kJointSwapBit == 16, "the number of bits that the swapped one lies higher");
+        return hn::Shr(both, hn::And(seed, constant(kJointSwapBit)));
+    }
+
+private:
+    static constexpr int kBits = hn::MaxLanes(kWords) >= 16 ? 4 : 3;
+    static constexpr int kDigits = 12 / kBits;
+
+    static HWY_INLINE V found(V table, V index) {
+        const V digit = hn::And(index, constant((1u << kBits) - 1));
+        return hn::TableLookupLanes(table, hn::IndicesFromVec(kWords, digit));
+    }
+
+    V tables_[kDigits];
+};
+
+/// The same in vectors of 4 words, by bytes.
+class NarrowJointOrders {
+public:
+    explicit NarrowJointOrders(const JointDigits& digits) {
+        for (int swap = 0; swap < 2; ++swap) {
+            for (int i = 0; i < 3; ++i)
+                low_[swap][i] = hn::LoadDup128(Bytes(), digits.low[swap][i]);
+            high_[swap] = hn::LoadDup128(Bytes(), digits.high[swap]);
+        }
+    }
+
+    HWY_INLINE V both(V index) const {
+        const V digit0 = hn::And(index, constant(15));
+        const V digit1 = hn::And(hn::ShiftRight<4>(index), constant(15));
+        const V digit2 = hn::And(hn::ShiftRight<8>(index), constant(15));
+        V places[2];
+        for (int swap = 0; swap < 2; ++swap) {
+            const V low =
+                hn::Xor(found(low_[swap][0], digit0),
+                        hn::Xor(found(low_[swap][1], digit1), found(low_[swap][2], digit2)));
+            places[swap] = hn::Or(low, hn::ShiftLeft<8>(found(high_[swap], digit2)));
+        }
+        return hn::Or(places[0], hn::ShiftLeft<16>(places[1]));
+    }
+
+    static HWY_INLINE V chosen(V both, V seed) {
+        const auto swapped = hn::TestBit(seed, constant(kJointSwapBit));
+        return hn::IfThenElse(swapped, hn::ShiftRight<16>(both), both);
+    }
+
+private:
+    using ByteVector = hn::Vec<Bytes>;
+
+    static HWY_INLINE V found(ByteVector table, V digits) {
+        return hn::BitCast(kWords, hn::TableLookupBytes(table, hn::BitCast(Bytes(), digits)));
+    }
+
+    ByteVector low_[2][3], high_[2];
+};
+
+/// jointPlace, its low byte in opposite order.
+class JointPlaces {
+public:
+    explicit JointPlaces(const JointDigits& digits) : orders_(digits) {}
+
+    /// Of the low 12 bits of `index`; above bit 11 anything. What the last vector of indices gave
+    /// is kept, since those of a coherent batch are all the same.
+    HWY_INLINE V find(V seed, V index) {
+        if (!hn::AllTrue(kWords, hn::Eq(index, index_))) {
+            index_ = index;
+            both_ = orders_.both(index);
+        }
+        return orders_.chosen(both_, seed);
+    }
+
+private:
+    std::conditional_t<(hn::MaxLanes(kWords) >= 8), WideJointOrders, NarrowJointOrders> orders_;
+    V index_ = hn::Zero(kWords), both_ = hn::Zero(kWords);
+};
+
+HWY_INLINE V jointOffsetOf(V seed, V sampleid, V groupStart, V place) {
+    const V shifted = hn::And(hn::Xor(place, seed), constant(kGroupSize - 1));
+    return offsetOf(seed, sampleid, groupStart, shifted);
+}
+
+/// jointOffset without splits.
+class JointOrder {
+public:
+    static constexpr uint32_t end = kStratifiedSamples;
+
+    explicit JointOrder(const JointDigits& digits) : places_(digits) {}
+
+    HWY_INLINE V offset(V seed, V sampleid) {
+        const V place = places_.find(seed, sampleid);
+        return jointOffsetOf(seed, sampleid, groupStartOf(place), place);
+    }
+
+private:
+    JointPlaces places_;
+};
+
+/// jointOffset under splits by more than 1.
+class SplitJointOrder {
+public:
+    const uint32_t end;
+
+    SplitJointOrder(const JointDigits& digits, unsigned split)
+        : end(jointStratifiedSamples(split)), places_(digits), split_(split),
+          evenPartLog2_(static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(split))) {}
+
+    HWY_INLINE V offset(V seed, V sampleid) {
+        V visit, branch;
+        divide(hn::Min(sampleid, constant(kStratifiedSamples)), visit, branch);
+        const V mask = jointOrderMask(visit);
+        const V found = places_.find(seed, hn::And(visit, mask));
+        const V ordered = hn::Or(groupStartOf(found), reversedByte(found));
+        const V place = hn::Or(hn::AndNot(mask, visit), ordered);
+        const V index = hn::Add(hn::Mul(place, constant(split_)), jointBranch(seed, visit, branch));
+        return jointOffsetOf(seed, index, groupStartOf(index), reversedByte(index));
+    }
+
+private:
+    static HWY_INLINE V reversedByte(V x) { return hn::ShiftRight<24>(reverseLowByte(x)); }
+
+    /// Exact for numbers below 2^18: (x + 0.5) / split is at least 0.5 / split away from any
+    /// integer, and its two roundings, of less than 2^-23 of it in all, move it by less.
+    HWY_INLINE void divide(V x, V& quotient, V& remainder) const {
+        const hn::RebindToSigned<Words> integers;
+        const F middle =
+            hn::Add(hn::ConvertTo(kFloats, hn::BitCast(integers, x)), hn::Set(kFloats, 0.5f));
+        const F ratio = hn::Mul(middle, hn::Set(kFloats, 1.0f / static_cast<float>(split_)));
+        quotient = hn::BitCast(kWords, hn::ConvertTo(integers, ratio));
+        remainder = hn::Sub(x, hn::Mul(quotient, constant(split_)));
+    }
+
+    template <int kShift>
+    static HWY_INLINE V orShifted(V x) {
+        return hn::Or(x, hn::ShiftRight<kShift>(x));
+    }
+
+    HWY_INLINE V jointOrderMask(V visit) const {
+        V differing = hn::Xor(visit, constant(end / split_));
+        differing = orShifted<1>(orShifted<2>(orShifted<4>(orShifted<8>(differing))));
+        return hn::And(hn::ShiftRight<1>(differing), constant(kTableSize - 1));
+    }
+
+    HWY_INLINE V jointBranch(V seed, V visit, V branch) const {
+        const uint32_t odd = split_ >> evenPartLog2_;
+        const V hash = mixBits(hn::Add(seed, hn::Mul(visit, constant(detail::kGolden))));
+        const V rotated =
+            hn::Add(hn::ShiftRightSame(branch, evenPartLog2_), scaleToRange(hash, odd));
+        // What wraps to a large number is below `odd`.
+        const V wrapped = hn::Min(rotated, hn::Sub(rotated, constant(odd)));
+        const V flipped = hn::And(hn::Xor(branch, hash), constant((1u << evenPartLog2_) - 1));
+        return hn::Or(hn::ShiftLeftSame(wrapped, evenPartLog2_), flipped);
+    }
+
+    JointPlaces places_;
+    uint32_t split_;
+    int evenPartLog2_;
+};
+
+/// `stratified`, or in the lanes from sample `end` on the random bits instead.
+HWY_INLINE V orRandom(V stratified, uint32_t end, V patternid, V sampleid, Coordinate coordinate) {
+    const auto beyond = hn::Gt(sampleid, constant(end - 1));
     if (HWY_LIKELY(hn::AllFalse(kWords, beyond))) return stratified;
     if (coordinate != Coordinate::z) patternid = permuteBits(patternid, randomKey(coordinate));
     return hn::IfThenElse(beyond, hashPair(patternid, sampleid), stratified);
 }
 
-// One vector of samples. Beyond the tables the offset means nothing, but is always inside them.
+/// One vector of samples.
+template <typename Order>
+class Samples {
+public:
+    HWY_INLINE Samples(const uint32_t* words, Order& order, V patternid, V sampleid)
+        : words_(words), end_(order.end), patternid_(patternid), sampleid_(sampleid),
+          seed_(patternSeed(patternid)), offset_(order.offset(seed_, sampleid)) {}
 
-HWY_INLINE void sampleXY(const uint32_t* words, V patternid, V sampleid, V seed, V offset, F& x,
-                         F& y) {
-    const V word = gather(words, offset);
-    const V leaf = leafBits(word, offset);
-    const V tableX = hn::Xor(word, leaf);
-    const V tableY = hn::Xor(hn::ShiftLeft<12>(word), leaf);
-    x = toUnitFloat(
-        orRandom(shifted(tableX, seed, Coordinate::x), patternid, sampleid, Coordinate::x));
-    y = toUnitFloat(
-        orRandom(shifted(tableY, seed, Coordinate::y), patternid, sampleid, Coordinate::y));
-}
+    HWY_INLINE void store(float* xis) const { hn::StoreU(z(), kFloats, xis); }
+    HWY_INLINE void store(Float2* xis) const {
+        F x, y;
+        findXY(x, y);
+        hn::StoreInterleaved2(x, y, kFloats, reinterpret_cast<float*>(xis));
+    }
+    HWY_INLINE void store(Float3* xis) const {
+        F x, y;
+        findXY(x, y);
+        hn::StoreInterleaved3(x, y, z(), kFloats, reinterpret_cast<float*>(xis));
+    }
 
-HWY_INLINE F sampleZ(const uint32_t* words, V patternid, V sampleid, V seed, V offset) {
-    const V value = shifted(gather(words + kTablePoints, offset), seed, Coordinate::z);
-    return toUnitFloat(orRandom(value, patternid, sampleid, Coordinate::z));
-}
+private:
+    HWY_INLINE void findXY(F& x, F& y) const {
+        const V word = gather(words_, offset_);
+        const V leaf = leafBits(word, offset_);
+        x = toFloat(hn::Xor(word, leaf), Coordinate::x);
+        y = toFloat(hn::Xor(hn::ShiftLeft<12>(word), leaf), Coordinate::y);
+    }
 
-HWY_INLINE void storeSamples(const uint32_t* words, V patternid, V sampleid, float* xis) {
-    const V seed = patternSeed(patternid);
-    const V offset = sampleOffset(seed, sampleid);
-    hn::StoreU(sampleZ(words, patternid, sampleid, seed, offset), kFloats, xis);
-}
+    HWY_INLINE F z() const {
+        return toFloat(gather(words_ + kTablePoints, offset_), Coordinate::z);
+    }
 
-HWY_INLINE void storeSamples(const uint32_t* words, V patternid, V sampleid, Float2* xis) {
-    const V seed = patternSeed(patternid);
-    const V offset = sampleOffset(seed, sampleid);
-    F x, y;
-    sampleXY(words, patternid, sampleid, seed, offset, x, y);
-    hn::StoreInterleaved2(x, y, kFloats, reinterpret_cast<float*>(xis));
-}
+    HWY_INLINE F toFloat(V tableValue, Coordinate coordinate) const {
+        const V value = shifted(tableValue, seed_, coordinate);
+        return toUnitFloat(orRandom(value, end_, patternid_, sampleid_, coordinate));
+    }
 
-HWY_INLINE void storeSamples(const uint32_t* words, V patternid, V sampleid, Float3* xis) {
-    const V seed = patternSeed(patternid);
-    const V offset = sampleOffset(seed, sampleid);
-    F x, y;
-    sampleXY(words, patternid, sampleid, seed, offset, x, y);
-    const F z = sampleZ(words, patternid, sampleid, seed, offset);
-    hn::StoreInterleaved3(x, y, z, kFloats, reinterpret_cast<float*>(xis));
-}
+    const uint32_t* words_;
+    uint32_t end_;
+    V patternid_, sampleid_, seed_, offset_;
+};
 
 HWY_INLINE void load(const SampleCtx* contexts, V& patternid, V& sampleid) {
     hn::LoadInterleaved2(kWords, reinterpret_cast<const uint32_t*>(contexts), patternid, sampleid);
@@ -197,13 +401,28 @@ HWY_INLINE void forVectors(std::size_t n, Context* contexts, Result* results, Fu
     for (std::size_t k = 0; k < rest; ++k) results[i + k] = someResults[k];
 }
 
+template <typename Order, typename Sample>
+HWY_INLINE void drawInOrder(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
+                            Order order, Sample* xis) {
+    forVectors(
+        n, contexts, xis, [&](const SampleCtx* sc, Sample* results) __attribute__((always_inline)) {
+            V patternid, sampleid;
+            load(sc, patternid, sampleid);
+            Samples<Order>(words, order, patternid, sampleid).store(results);
+        });
+}
+
+template <typename Sample>
+void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, unsigned slot,
+               unsigned split, Sample* xis) {
+    const JointDigits& digits = kJointDigits[slot];
+    if (split == 1) return drawInOrder(n, words, contexts, JointOrder(digits), xis);
+    drawInOrder(n, words, contexts, SplitJointOrder(digits, split), xis);
+}
+
 template <typename Sample>
 void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
-    forVectors(n, contexts, xis, [&](const SampleCtx* sc, Sample* results) {
-        V patternid, sampleid;
-        load(sc, patternid, sampleid);
-        storeSamples(words, patternid, sampleid, results);
-    });
+    drawInOrder(n, words, contexts, ShuffledOrder(), xis);
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
 }
 
@@ -241,8 +460,16 @@ void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
 
 extern const Kernels kKernels;
 const Kernels kKernels = {
-    hwy::TargetName(HWY_TARGET), draw<float>,  draw<Float2>, draw<Float3>, newDomainsSplit,
-    newDomainsDistrib,           hashToRandom,
+    hwy::TargetName(HWY_TARGET),
+    draw<float>,
+    draw<Float2>,
+    draw<Float3>,
+    drawJoint<float>,
+    drawJoint<Float2>,
+    drawJoint<Float3>,
+    newDomainsSplit,
+    newDomainsDistrib,
+    hashToRandom,
 };
 
 } // namespace HWY_NAMESPACE

@@ -4,6 +4,7 @@
 
 #include "wellstrat/analysis/nets.h"
 #include "wellstrat/analysis/point_source.h"
+#include "wellstrat/joint.h"
 #include "wellstrat/lookup.h"
 #include "wellstrat/random_generator.h"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +34,7 @@ std::vector<std::pair<std::string, PointSourcePtr>> allSources() {
     std::vector<std::pair<std::string, PointSourcePtr>> sources;
     sources.emplace_back("pmj", generatorSource(nullptr));
     sources.emplace_back("random", generatorSource(&random));
+    sources.emplace_back("joint", jointSource());
     sources.emplace_back("sobol", sobolSource(SobolRandomization::none));
     sources.emplace_back("sobol-shift", sobolSource(SobolRandomization::digitalShift));
     sources.emplace_back("sobol-owen", sobolSource(SobolRandomization::owen));
@@ -124,6 +127,24 @@ TEST(PointSource, DrawsTheSamplesThatRenderersDraw) {
                               double(xyz.x), double(xyz.y), double(xyz.z)};
         EXPECT_EQ(Points(points.begin() + 6 * i, points.begin() + 6 * i + 6), expected);
     }
+}
+
+TEST(PointSource, JointDrawsFromTheSlotsAndThenPadded) {
+    const PointSourcePtr all = jointSource(), some = jointSource({7, 2});
+    const Points first = drawn(*all, 77, {2, 1}, 5000), second = drawn(*some, 77, {2, 1, 3}, 5000);
+    const auto patternOf = [](Scramble s) { return SampleCtx{77, 0}.NewDomain(s).patternid; };
+    const auto point = [&](unsigned slot, unsigned i) {
+        return jointSample3D(tables(), patternOf(jointScramble(slot)), i, slot, 1);
+    };
+    for (unsigned i = 0; i < 5000; ++i) {
+        EXPECT_EQ(first[3 * i], double(point(0, i).x));
+        EXPECT_EQ(first[3 * i + 2], double(point(1, i).z));
+        EXPECT_EQ(second[6 * i + 1], double(point(7, i).y));
+        EXPECT_EQ(second[6 * i + 2], double(point(2, i).z));
+        EXPECT_EQ(second[6 * i + 3], double(sample2D(patternOf(static_cast<Scramble>(2)), i).x));
+    }
+    EXPECT_THROW(jointSource({0, 16}), std::invalid_argument);
+    EXPECT_THROW(jointSource({3, 4, 3}), std::invalid_argument);
 }
 
 /// In base b the first b^k points have equal distances, also after a shift modulo 1.

@@ -6,6 +6,7 @@
 
 #include "RixRNG.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/joint.h"
 
 #include <gtest/gtest.h>
 
@@ -99,6 +100,27 @@ protected:
         });
     }
 
+    /// With splits of all kinds: odd, powers of 2, both, and the largest.
+    template <typename Sample, typename Draw, typename Scalar>
+    void checkJointDraws(Draw draw, Scalar scalar) {
+        unsigned slot = 0;
+        for (const unsigned split : {1u, 2u, 3u, 8u, 12u, 100u, 255u, 256u}) {
+            forBatches([&](const std::vector<SampleCtx>& contexts) {
+                const std::size_t n = contexts.size();
+                slot = (slot + 1) % kJointSlots;
+                const auto drawn = guarded<Sample>(
+                    n, [&](Sample* xis) { draw(n, contexts.data(), slot, split, xis); });
+                for (std::size_t i = 0; i < n; ++i) {
+                    const SampleCtx sc = contexts[i];
+                    const Sample expected =
+                        scalar(tables(), sc.patternid, sc.sampleid, slot, split);
+                    ASSERT_TRUE(sameBits(drawn[i], expected))
+                        << i << " of " << n << ", slot " << slot << " split by " << split;
+                }
+            });
+        }
+    }
+
     template <typename Batch, typename Scalar>
     void checkDomains(Batch batch, Scalar scalar) {
         forBatches([&](const std::vector<SampleCtx>& parents) {
@@ -128,6 +150,32 @@ TEST_P(BatchTarget, Draws2D) {
 TEST_P(BatchTarget, Draws3D) {
     checkDraws<Float3>(drawSamples3D, generateSamples3D,
                        [](unsigned p, unsigned s) { return sample3D(p, s); });
+}
+
+TEST_P(BatchTarget, JointDraws1D) { checkJointDraws<float>(drawJointSamples1D, jointSample1D); }
+
+TEST_P(BatchTarget, JointDraws2D) { checkJointDraws<Float2>(drawJointSamples2D, jointSample2D); }
+
+TEST_P(BatchTarget, JointDraws3D) { checkJointDraws<Float3>(drawJointSamples3D, jointSample3D); }
+
+// Every sampleid for which vector code divides, by every split: it divides in floats, which must be
+// exact. Then those around the ends.
+TEST_P(BatchTarget, JointDrawsAreSplitExactly) {
+    constexpr unsigned kEnd = kStratifiedSamples + 2 * kMaxJointSplit;
+    std::vector<SampleCtx> contexts;
+    for (unsigned s = 0; s < kEnd; ++s) contexts.push_back({s, s});
+    for (unsigned s = 0; s < 64; ++s) contexts.push_back({s, 0u - s});
+    for (unsigned s = 0; s < 64; ++s) contexts.push_back({s, 0x80000020u - s});
+    std::vector<float> xis(contexts.size());
+    for (unsigned split = 1; split <= kMaxJointSplit; ++split) {
+        const unsigned slot = split % kJointSlots;
+        drawJointSamples1D(contexts.size(), contexts.data(), slot, split, xis.data());
+        for (std::size_t i = 0; i < contexts.size(); ++i) {
+            const SampleCtx sc = contexts[i];
+            ASSERT_EQ(xis[i], jointSample1D(tables(), sc.patternid, sc.sampleid, slot, split))
+                << "sample " << sc.sampleid << " split by " << split;
+        }
+    }
 }
 
 TEST_P(BatchTarget, NewDomains) {
@@ -193,6 +241,7 @@ TEST(BatchTargets, TheLastIsScalarAndUnknownOnesAreRefused) {
 TEST(Batch, NothingIsReadOrWrittenForZeroPoints) {
     drawSamples1D(0, nullptr, nullptr);
     generateSamples3D(0, nullptr, nullptr);
+    drawJointSamples2D(0, nullptr, 0, 1, nullptr);
     newDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
     hashToRandom(0, nullptr, nullptr);
     EXPECT_STREQ(chosenBatchTarget(), batchTarget(0));

@@ -99,6 +99,30 @@ class CompareTest(CliTest):
         self.assertIn("there are no error curves", page.text)
         self.assertEqual(len(page.images), 1 + 2 * 3)
 
+    def test_errors_from_seeds(self):
+        """With --seeds there is no reference, and the errors are those against one."""
+        same = ("compare", *SCENE, "--generators", "pmj,joint,random", "--spp", "4,16", "-o", "c.html")
+        by_seeds = self.output_of(*same, "--seeds", "6").decode().splitlines()
+        page = browser.open_page(self.path("c.html"))
+        against_reference = self.output_of(*same, "--reference-spp", "4096").decode().splitlines()
+        self.assertIn("its 6 seeds", by_seeds[0])
+        self.assertIn("--seeds 6", page.text)
+        (header, *rows), = page.tables
+        self.assertEqual(header[-2:], ["+- RMSE", "+- filtered"])
+        self.assertEqual(len(by_seeds), 2 + 6)
+        for line, other, row in zip(by_seeds[2:], against_reference[2:], rows):
+            self.assertEqual([float(x) for x in line.split()[1:]], numbers(row))
+            rmse, relative, filtered, *_, rmse_error, filtered_error = numbers(row)[1:]
+            expected = [float(x) for x in other.split()[2:5]]
+            self.assertTrue(0 < rmse_error < 0.2 * rmse)
+            self.assertTrue(0 < filtered_error < 0.5 * filtered)
+            # Against the reference there is one image, whose error varies 6^(1/2) times as much; 5 of
+            # these and a tenth for uncertain uncertainties are exceeded by chance once in 10^5 runs.
+            self.assertAlmostEqual(rmse, expected[0], delta=0.1 * rmse + 5 * 7 ** 0.5 * rmse_error)
+            self.assertAlmostEqual(filtered, expected[2],
+                                   delta=0.1 * filtered + 5 * 7 ** 0.5 * filtered_error)
+            self.assertAlmostEqual(relative, expected[1], delta=0.5 * relative)
+
     def test_plot_files(self):
         self.output_of(*COMPARE, "--keep-plot-files")
         self.assertEqual(self.files(), ["c-errors.dat", "c-errors.gp", "c-errors.svg", "c.html"])
@@ -115,6 +139,10 @@ class CompareTest(CliTest):
                 ((*SCENE, "-o", "c.html", "--reference-spp", "0"), "--reference-spp"),
                 ((*SCENE, "-o", "c.html", "--reference-spp", "9", "--reference", "r.exr"),
                  "--reference"),
+                ((*SCENE, "-o", "c.html", "--seeds", "1"), "--seeds"),
+                ((*SCENE, "-o", "c.html", "--seeds", "256"), "--seeds"),
+                ((*SCENE, "-o", "c.html", "--seeds", "4", "--reference-spp", "9"), "--seeds"),
+                ((*SCENE, "-o", "c.html", "--seeds", "4", "--reference", "r.exr"), "--seeds"),
                 ((*SCENE, "-o", "none/c.html"), "none/c.html")):
             self.assert_fails("compare", *arguments, mentions=mentions)
 

@@ -9,7 +9,8 @@ import unittest
 from support import CliTest
 
 RENDERING = ("render", "merge", "compare")
-SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study", "report", *RENDERING)
+SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study", "report", "bank",
+               *RENDERING)
 OPTIONS = {
     "sample": ("--dims", "--count", "--first", "--pattern", "--generator", "--format", "-o",
                "--plot", "--compare", "--keep-plot-files"),
@@ -22,12 +23,13 @@ OPTIONS = {
               "--fit-from", "-o", "--plot", "--keep-plot-files", "--resume", "--save-every"),
     "report": ("-o", "--generators", "--integrands", "--patterns", "--count", "--quick",
                "--thorough", "--bench", "--keep-plot-files"),
+    "bank": ("--seed", "--rounds", "--slots", "--judge", "--integrands", "-o"),
     "render": ("-o", "--spp", "--generator", "--size", "--depth", "--split", "--distrib",
                "--time-limit", "--threads", "--seed", "--samples", "--checkpoint", "--save-every",
                "--resume", "--noise", "--environment", "--camera", "--look-at", "--up", "--fov",
                "--lens-radius", "--focus", "--list"),
     "merge": ("-o",),
-    "compare": ("-o", "--generators", "--spp", "--reference", "--reference-spp", "--size",
+    "compare": ("-o", "--generators", "--spp", "--reference", "--reference-spp", "--seeds", "--size",
                 "--keep-plot-files"),
 }
 
@@ -69,7 +71,8 @@ class HelpTest(CliTest):
             for example in examples:
                 self.assertEqual(example[0], name)
                 if "--plot" in example or name == "report" or (
-                        name == "verify" and "--tables" not in example):
+                        name == "verify" and "--tables" not in example) or (
+                            name == "bank" and "-o" in example):
                     continue  # needs gnuplot, which other tests do; or takes long
                 self.output_of(*example)
 

@@ -14,6 +14,7 @@
 #include "RixRNG.h"
 #include "wellstrat/batch.h"
 #include "wellstrat/camera.h"
+#include "wellstrat/joint.h"
 #include "wellstrat/random_generator.h"
 #include "wellstrat/version.h"
 
@@ -92,6 +93,11 @@ inline Words sample(const Words& a) { return firstSample(a, nullptr); }
 inline Words randomSample(const Words& a) {
     const wellstrat::RandomGenerator random;
     return firstSample(a, &random);
+}
+
+inline Words jointSample(const Words& a) {
+    const wellstrat::JointProgressive joint;
+    return firstSample(a, joint.ForChild(wellstrat::jointScramble(a[2]), a[3]));
 }
 
 /// Drawn in batches of 1, 2, 3, ... samples, so that vectors have rests of any length.
@@ -183,6 +189,7 @@ constexpr Kind kKinds[] = {
     {"stream", 0, stream},       // = version
     {"sample", 2, sample},       // patternid sampleid = x y z
     {"random", 2, randomSample}, // patternid sampleid = x y z, of the RandomGenerator
+    {"joint", 4, jointSample},   // patternid sampleid slot split = x y z, of JointProgressive
     {"run", 3, run},             // patternid first count = digest of the x, y, z of all
     {"table", 1, table},         // table = digest of its 4096 points
     {"hash", 2, hash},           // a b = HashToUnsigned

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// golden_check FILE: recomputes every record of a file of golden values and compares, once with
-// each batch target of this processor. Exit code 0 if all agree, 1 if one does not, 2 if the file
+// golden_check FILE...: recomputes every record of files of golden values and compares, once with
+// each batch target of this processor. Exit code 0 if all agree, 1 if one does not, 2 if a file
 // cannot be read or is none.
 
 #include "golden.h"
 #include "wellstrat/batch_target.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -28,53 +27,61 @@ std::string recomputed(const std::string& line) {
     return golden::record(kind, arguments);
 }
 
-/// Checks all records with the batch target in use. The exit code.
-int check(const char* path) {
+struct Tally {
+    unsigned records = 0, failures = 0;
+};
+
+/// Checks all records of a file with the batch target in use. Whether the file is one.
+bool check(const char* path, Tally& tally) {
     const char* target = wellstrat::chosenBatchTarget();
     std::ifstream file(path);
     if (!file) {
         std::fprintf(stderr, "golden_check: cannot read %s\n", path);
-        return 2;
+        return false;
     }
-    unsigned records = 0, failures = 0;
+    const unsigned recordsBefore = tally.records;
     std::string line;
     for (unsigned number = 1; std::getline(file, line); ++number) {
         if (line.empty() || line[0] == '#') continue;
-        ++records;
+        ++tally.records;
         std::string got;
         try {
             got = recomputed(line);
         } catch (const std::invalid_argument& error) {
             std::fprintf(stderr, "%s:%u: %s\n", path, number, error.what());
-            return 2;
+            return false;
         } catch (const std::exception& error) {
             got = error.what();
         }
         if (got == line) continue;
-        ++failures;
+        ++tally.failures;
         std::fprintf(stderr, "%s:%u: expected %s\n  %s gives %s\n", path, number, line.c_str(),
                      target, got.c_str());
     }
-    if (records == 0) {
+    if (tally.records == recordsBefore) {
         std::fprintf(stderr, "golden_check: no records in %s\n", path);
-        return 2;
+        return false;
     }
-    std::printf("%-8s %u of %u golden records agree\n", target, records - failures, records);
-    return failures == 0 ? 0 : 1;
+    return true;
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::fprintf(stderr, "usage: golden_check FILE\n");
+    if (argc < 2) {
+        std::fprintf(stderr, "usage: golden_check FILE...\n");
         return 2;
     }
-    int worst = 0;
+    bool allAgree = true;
     for (unsigned i = 0; const char* target = wellstrat::batchTarget(i); ++i) {
         wellstrat::forceBatchTarget(target);
-        worst = std::max(worst, check(argv[1]));
-        if (worst == 2) break;
+        Tally tally;
+        for (int file = 1; file < argc; ++file) {
+            if (!check(argv[file], tally)) return 2;
+        }
+        std::printf("%-8s %u of %u golden records agree\n", target, tally.records - tally.failures,
+                    tally.records);
+        allAgree = allAgree && tally.failures == 0;
     }
-    return worst;
+    return allAgree ? 0 : 1;
 }

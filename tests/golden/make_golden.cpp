@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// make_golden FILE: writes the golden values anew. Only for a new stream version: as long as the
-// version is the same, a file that changes is a bug.
+// make_golden FILE: writes the golden values anew, but for those of slots (joint.h), which
+// make_golden --joint FILE writes. Only for a new stream version: as long as the version is the
+// same, a file that changes is a bug.
 
 #include "golden.h"
 
@@ -67,25 +68,48 @@ void writeContexts(Writer& write) {
     }
 }
 
+constexpr const char* kHead =
+    "# Golden values of wellstrat; golden.h explains the lines. Made by make_golden";
+
 void writeAll(std::ostream& out) {
-    out << "# Golden values of wellstrat; golden.h explains the lines. Made by make_golden.\n";
+    out << kHead << ".\n";
     Writer write(out);
     write("stream");
     writeSamples(write);
     writeContexts(write);
 }
 
+/// All slots, both orders of each, and splits of all kinds.
+void writeJoint(std::ostream& out) {
+    out << kHead << " --joint.\n";
+    Writer write(out);
+    write("stream");
+    for (uint32_t slot = 0; slot < wellstrat::kJointSlots; ++slot) {
+        for (const uint32_t pattern : {0u, 1u, 2u, 0x2d96c92bu}) {
+            for (const uint32_t sampleid : {1u, 0xfffu, 0x1234u, 196608u}) {
+                write("joint", {pattern, sampleid, slot, 1});
+            }
+            for (const uint32_t split : {3u, 12u, 256u}) {
+                for (const uint32_t sampleid : {7u, 131077u}) {
+                    write("joint", {pattern, sampleid, slot, split});
+                }
+            }
+        }
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 2) {
-        std::cerr << "usage: make_golden FILE\n";
+    const bool joint = argc == 3 && std::string(argv[1]) == "--joint";
+    if (argc != 2 && !joint) {
+        std::cerr << "usage: make_golden [--joint] FILE\n";
         return 2;
     }
-    const std::string path = argv[1], unfinished = path + ".part";
+    const std::string path = argv[argc - 1], unfinished = path + ".part";
     {
         std::ofstream out(unfinished, std::ios::binary);
-        writeAll(out);
+        joint ? writeJoint(out) : writeAll(out);
         if (!out.flush()) {
             std::cerr << "make_golden: cannot write " << unfinished << '\n';
             return 2;

@@ -5,7 +5,7 @@
 
 #include "RixRNG.h"
 
-#include "property/point_sets.h"
+#include "property/stratified.h"
 #include "statistical/statistics.h"
 
 #include <gtest/gtest.h>
@@ -24,16 +24,6 @@ constexpr unsigned kPatterns = 8;
 constexpr unsigned kBlocks = kStratifiedSamples / kTableSize;
 
 uint32_t patternNumber(unsigned i) { return i < 2 ? 0u - i : hashPair(0x7061u, i); }
-
-void expectStratified(const std::vector<RtFloat3>& xis, const std::string& name) {
-    const PointSet points = PointSet::fromFloats(&xis[0].x, xis.size(), 3);
-    for (unsigned d = 0; d < 3; ++d) {
-        EXPECT_EQ(checkSequence(points.projection({d}), 0).firstViolation, "") << name;
-    }
-    EXPECT_EQ(checkSequence(points.projection({0, 1}), 0).firstViolation, "") << name;
-    EXPECT_EQ(checkSequence(points, 1).firstViolation, "") << name;
-    EXPECT_EQ(checkSequence(points, 0, NetBase::four).firstViolation, "") << name;
-}
 
 std::string blockName(uint32_t pattern, unsigned block) {
     return "pattern " + std::to_string(pattern) + ", block " + std::to_string(block);

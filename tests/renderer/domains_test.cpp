@@ -6,9 +6,11 @@
 #include "rendering.h"
 
 #include "renderer/sampling_domains.h"
+#include "wellstrat/camera.h"
 #include "wellstrat/random_generator.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -20,7 +22,7 @@ namespace {
 using SampleCtx = RixRNG::SampleCtx;
 
 /// Random samples, and a list of all that were asked for.
-class Recorder final : public Generator {
+class Recorder : public Generator {
 public:
     float Sample1D(const SampleCtx& sc, unsigned i) const override {
         record(sc);
@@ -45,6 +47,12 @@ public:
         for (const auto& entry : counts_) largest = std::max(largest, entry.second);
         return largest;
     }
+    /// How often samples with this number were drawn, of all patterns.
+    unsigned countAt(unsigned sampleid) const {
+        unsigned sum = 0;
+        for (const auto& [sample, count] : counts_) sum += sample.second == sampleid ? count : 0;
+        return sum;
+    }
     /// How many samples of a pattern were drawn.
     unsigned samplesOf(SampleCtx sc) const {
         unsigned sum = 0;
@@ -61,6 +69,20 @@ private:
     RandomGenerator random_;
     mutable std::mutex mutex_;
     mutable std::map<std::pair<unsigned, unsigned>, unsigned> counts_;
+};
+
+/// One of a family that listens to each slot of joint.h by itself, and the last to all else.
+class SlotRecorder final : public Recorder {
+public:
+    using Family = std::array<SlotRecorder, kJointSlots + 1>;
+    const Family* family = nullptr;
+
+    const Generator* ForChild(RixRNG::Scramble scramble, unsigned split) const override {
+        if (split == 0) return nullptr;
+        const unsigned slot =
+            static_cast<unsigned>(scramble) - static_cast<unsigned>(jointScramble(0));
+        return &(*family)[std::min(slot, kJointSlots)];
+    }
 };
 
 /// A white box with a lamp, from within, and an environment that is sampled but never seen: no path
@@ -88,13 +110,17 @@ constexpr unsigned kSide = 3;
 constexpr unsigned kSamples = 4;
 constexpr unsigned kSeed = 5;
 
-void record(const Recorder& recorder, unsigned split, bool distrib) {
+SamplingOptions listenedTo(const Recorder& recorder, unsigned split, bool distrib) {
     SamplingOptions options = optionsOfDepth(2);
     options.generator = &recorder;
     options.seed = kSeed;
     options.split = split;
     options.distrib = distrib;
-    renderFilm(closedBox(), kSide, kSamples, options);
+    return options;
+}
+
+void record(const Recorder& recorder, unsigned split, bool distrib) {
+    renderFilm(closedBox(), kSide, kSamples, listenedTo(recorder, split, distrib));
 }
 
 /// Calls check(camera context) for all samples of the picture.
@@ -113,15 +139,15 @@ TEST(Domains, AreThoseOfTheTree) {
     EXPECT_EQ(recorder.largestCount(), 1u);
     forEachSample([&](SampleCtx camera) {
         EXPECT_EQ(recorder.count(camera), 0u); // parents are not drawn from
-        EXPECT_EQ(recorder.count(camera.NewDomain(kPixelFilterScramble)), 1u);
-        EXPECT_EQ(recorder.count(camera.NewDomain(kLensScramble)), 1u);
-        EXPECT_EQ(recorder.count(camera.NewDomain(kTimeScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kPixelScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kApertureScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kShutterScramble)), 1u);
         SampleCtx hit = camera;
-        for (int bounce = 0; bounce < 2; ++bounce) {
+        for (unsigned bounce = 0; bounce < 2; ++bounce) {
             hit = hit.NewDomain(kHitScramble);
             EXPECT_EQ(recorder.count(hit), 0u);
             for (const RixRNG::Scramble scramble :
-                 {kLightScramble, kEnvironmentScramble, kBxdfScramble}) {
+                 {lightScramble(bounce), environmentScramble(bounce), bxdfScramble(bounce)}) {
                 EXPECT_EQ(recorder.count(hit.NewDomain(scramble)), 1u) << bounce;
             }
         }
@@ -136,7 +162,7 @@ TEST(Domains, SplitLightSamplesAreConsecutive) {
     EXPECT_EQ(recorder.largestCount(), 1u);
     forEachSample([&](SampleCtx camera) {
         const SampleCtx hit = camera.NewDomain(kHitScramble);
-        for (const RixRNG::Scramble scramble : {kLightScramble, kEnvironmentScramble}) {
+        for (const RixRNG::Scramble scramble : {lightScramble(0), environmentScramble(0)}) {
             SampleCtx light = hit.NewDomainSplit(scramble, kSplit);
             EXPECT_EQ(light.sampleid, camera.sampleid * kSplit);
             for (unsigned i = 0; i < kSplit; ++i, ++light.sampleid) {
@@ -144,7 +170,7 @@ TEST(Domains, SplitLightSamplesAreConsecutive) {
             }
             EXPECT_EQ(recorder.samplesOf(light), kSplit * kSamples);
         }
-        EXPECT_EQ(recorder.count(hit.NewDomain(kBxdfScramble)), 1u);
+        EXPECT_EQ(recorder.count(hit.NewDomain(bxdfScramble(0))), 1u);
     });
 }
 
@@ -157,7 +183,7 @@ TEST(Domains, DistributedLightSamplesBeginAtZero) {
     EXPECT_EQ(recorder.largestCount(), 1u);
     forEachSample([&](SampleCtx camera) {
         const SampleCtx hit = camera.NewDomain(kHitScramble).NewDomain(kHitScramble);
-        for (const RixRNG::Scramble scramble : {kLightScramble, kEnvironmentScramble}) {
+        for (const RixRNG::Scramble scramble : {lightScramble(1), environmentScramble(1)}) {
             const SampleCtx light = hit.NewDomainDistrib(scramble, 0);
             EXPECT_EQ(recorder.samplesOf(light), kSplit);
             EXPECT_EQ(recorder.count(light), 1u);
@@ -172,17 +198,36 @@ TEST(Domains, DistributionFollowsThroughput) {
     scene.materials[0].baseColor = Float3(0.39f);
     scene.materials[1].baseColor = Float3(0.39f);
     const Recorder recorder;
-    SamplingOptions options = optionsOfDepth(2);
-    options.generator = &recorder;
-    options.split = 10;
-    options.distrib = true;
-    renderFilm(scene, 1, 1, options);
-    SampleCtx hit = cameraContext(0, 0, 0, 0).NewDomain(kHitScramble);
-    EXPECT_EQ(recorder.samplesOf(hit.NewDomain(kLightScramble)), 10u);
+    renderFilm(scene, 1, 1, listenedTo(recorder, 10, true));
+    SampleCtx hit = cameraContext(0, 0, kSeed, 0).NewDomain(kHitScramble);
+    EXPECT_EQ(recorder.samplesOf(hit.NewDomain(lightScramble(0))), 10u);
     hit = hit.NewDomain(kHitScramble); // throughput 0.39
-    EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(kLightScramble, 0)), 4u);
+    EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(lightScramble(1), 0)), 4u);
     hit = hit.NewDomain(kHitScramble); // 0.1521
-    EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(kLightScramble, 0)), 2u);
+    EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(lightScramble(2), 0)), 2u);
+}
+
+/// Guards against slots that are taken twice on a path, which correlates the two uses: in one
+/// pixel, whatever the splits, a slot has each sample once. The paths are long enough to need all
+/// slots, and to go on without.
+TEST(Domains, SlotsAreUsedOnceOnAPath) {
+    constexpr unsigned kDepth = 8;
+    for (const unsigned split : {1u, 3u}) {
+        for (const bool distrib : {false, true}) {
+            SlotRecorder::Family slots;
+            for (SlotRecorder& recorder : slots) recorder.family = &slots;
+            SamplingOptions options = listenedTo(slots.back(), split, distrib);
+            options.depth = kDepth;
+            renderFilm(closedBox(), 1, kSamples, options);
+            for (unsigned slot = 0; slot < kJointSlots; ++slot) {
+                for (unsigned s = 0; s < split * kSamples; ++s) {
+                    EXPECT_LE(slots[slot].countAt(s), 1u) << "slot " << slot << ", sample " << s;
+                }
+                EXPECT_TRUE(distrib || slots[slot].countAt(0) == 1) << "slot " << slot;
+            }
+            EXPECT_GT(slots.back().countAt(0), 0u);
+        }
+    }
 }
 
 } // namespace

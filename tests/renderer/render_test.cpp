@@ -5,6 +5,7 @@
 #include "rendering.h"
 
 #include "renderer/builtin_scenes.h"
+#include "wellstrat/joint.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -37,17 +38,27 @@ void expectSameBits(const Film& a, const Film& b) {
     }
 }
 
-SamplingOptions allOptions() {
+SamplingOptions allOptions(const Generator* generator) {
     SamplingOptions options;
+    options.generator = generator;
     options.split = 2;
     options.distrib = true;
     return options;
 }
 
-class Exactness : public ::testing::TestWithParam<const char*> {
+struct ExactCase {
+    const char* name;
+    const char* scene;
+    const Generator* generator;
+};
+
+const JointProgressive kJoint;
+
+class Exactness : public ::testing::TestWithParam<ExactCase> {
 protected:
-    const Scene scene = builtinScene(GetParam());
-    const Renderer renderer{scene, kWidth, kHeight, allOptions()};
+    const Scene scene = builtinScene(GetParam().scene);
+    const SamplingOptions options = allOptions(GetParam().generator);
+    const Renderer renderer{scene, kWidth, kHeight, options};
 
     Film whole() const {
         Film film(kWidth, kHeight);
@@ -56,8 +67,12 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Exactness, ::testing::Values("cornell", "lens", "veach"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Scenes, Exactness,
+                         ::testing::Values(ExactCase{"cornell", "cornell", nullptr},
+                                           ExactCase{"lens", "lens", nullptr},
+                                           ExactCase{"veach", "veach", nullptr},
+                                           ExactCase{"joint", "lens", &kJoint}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Exactness, AnyNumberOfThreads) {
     const Film film = whole();
@@ -71,7 +86,7 @@ TEST_P(Exactness, AnyNumberOfThreads) {
 
 /// Another Renderer builds its own search structure, in whatever order its threads run.
 TEST_P(Exactness, AnyBuildOfTheGeometry) {
-    const Renderer another(scene, kWidth, kHeight, allOptions());
+    const Renderer another(scene, kWidth, kHeight, options);
     Film film(kWidth, kHeight);
     another.render({0, kHeight, 0, kSamples}, film, kGoOn, ignore);
     expectSameBits(film, whole());

@@ -18,6 +18,7 @@ void addAnalyze(CLI::App& app, int& exitCode);
 void addInfo(CLI::App& app, int& exitCode);
 void addStudy(CLI::App& app, int& exitCode);
 void addReport(CLI::App& app, int& exitCode);
+void addBank(CLI::App& app, int& exitCode);
 // Where the renderer is built:
 void addRender(CLI::App& app, int& exitCode);
 void addMerge(CLI::App& app, int& exitCode);

@@ -52,15 +52,25 @@ std::string samplesText(uint32_t samples) {
 
 std::string pngOf(const render::Film& film) { return render::encodePicture(film, ".png"); }
 
-void addReference(const Reference& reference, HtmlPage& page) {
+/// What is known of the error of the reference.
+std::string referenceError(const Comparison& comparison) {
+    if (hasUncertainties(comparison)) {
+        return "Images of other seeds are independent and right on average, so how far they are "
+               "from their mean tells how far each of them is from the truth.";
+    }
+    if (!comparison.reference.error) {
+        return "Its own error is not known; measured errors contain it.";
+    }
+    return fmt::format(
+        "Its own RMSE is about {:.1e}, half of that between its two halves; "
+        "measured errors near it are too large.",
+        *comparison.reference.error);
+}
+
+void addReference(const Comparison& comparison, HtmlPage& page) {
+    const Reference& reference = comparison.reference;
     page.section("Reference");
-    page.paragraph(fmt::format(
-        "{}. {}", reference.origin,
-        reference.error
-            ? fmt::format("Its own RMSE is about {:.1e}, half of that between its two halves; "
-                          "measured errors near it are too large.",
-                          *reference.error)
-            : "Its own error is not known; measured errors contain it."));
+    page.paragraph(fmt::format("{}. {}", reference.origin, referenceError(comparison)));
     page.figure({{{"The reference", pngOf(reference.film)}},
                  fmt::format("The reference, {}x{} pixels, in sRGB.", reference.film.width(),
                              reference.film.height())});
@@ -95,7 +105,15 @@ void addErrors(const Comparison& comparison, const std::string& figure, HtmlPage
                  fmt::format("{:.4e}", image.error.relativeMse),
                  fmt::format("{:.4e}", image.error.filtered), fmt::format("{:.2f}", image.seconds),
                  fmt::format("{:.1f}", equivalentSamples(baseline, image.error.rmse))});
+            if (!image.uncertainty) continue;
+            table.rows.back().push_back(fmt::format("{:.1e}", image.uncertainty->rmse));
+            table.rows.back().push_back(fmt::format("{:.1e}", image.uncertainty->filtered));
         }
+    }
+    if (hasUncertainties(comparison)) {
+        table.header.emplace_back("+- RMSE");
+        table.header.emplace_back("+- filtered");
+        table.caption += " The last columns are standard errors.";
     }
     page.table(table);
 }
@@ -154,7 +172,7 @@ std::string comparePage(const Comparison& comparison, const std::string& figure,
                   fmt::format("How far images of the scene are from a reference, by the generator "
                               "of their samples: {}.",
                               names));
-    addReference(comparison.reference, page);
+    addReference(comparison, page);
     addErrors(comparison, figure, page);
     addCrops(comparison, page);
     page.section("How to make this again");

@@ -100,24 +100,35 @@ bool hasErrors(const Comparison& comparison) {
                         });
 }
 
+bool hasUncertainties(const Comparison& comparison) {
+    return comparison.generators.front().images.front().uncertainty.has_value();
+}
+
 std::string compareTable(const Comparison& comparison) {
     const ComparedGenerator& baseline = baselineOf(comparison);
     std::size_t width = 9;
     for (const auto& generator : comparison.generators) {
         width = std::max(width, generator.name.size());
     }
-    std::string text = fmt::format(
-        "{}, reference: {}\n{:<{}} {:>8} {:>12} {:>12} {:>12} {:>9} "
-        "{:>14}\n",
-        comparison.scene, comparison.reference.origin, "generator", width, "samples", "RMSE",
-        "relative MSE", "filtered", "seconds", "as " + baseline.name);
+    std::string text =
+        fmt::format("{}, reference: {}\n{:<{}} {:>8} {:>12} {:>12} {:>12} {:>9} {:>14}",
+                    comparison.scene, comparison.reference.origin, "generator", width, "samples",
+                    "RMSE", "relative MSE", "filtered", "seconds", "as " + baseline.name);
+    if (hasUncertainties(comparison))
+        text += fmt::format(" {:>12} {:>12}", "+- RMSE", "+- filtered");
+    text += '\n';
     for (const ComparedGenerator& generator : comparison.generators) {
         for (const ComparedImage& image : generator.images) {
             fmt::format_to(std::back_inserter(text),
-                           "{:<{}} {:>8} {:>12.4e} {:>12.4e} {:>12.4e} {:>9.2f} {:>14.1f}\n",
+                           "{:<{}} {:>8} {:>12.4e} {:>12.4e} {:>12.4e} {:>9.2f} {:>14.1f}",
                            generator.name, width, image.samples, image.error.rmse,
                            image.error.relativeMse, image.error.filtered, image.seconds,
                            equivalentSamples(baseline, image.error.rmse));
+            if (image.uncertainty) {
+                fmt::format_to(std::back_inserter(text), " {:>12.1e} {:>12.1e}",
+                               image.uncertainty->rmse, image.uncertainty->filtered);
+            }
+            text += '\n';
         }
     }
     return text;

@@ -22,12 +22,18 @@ struct Crop {
     unsigned x, y, width, height;
 };
 
+/// The standard errors of two numbers of a FilmError.
+struct Uncertainty {
+    double rmse, filtered;
+};
+
 /// An image of one generator after some samples.
 struct ComparedImage {
     uint32_t samples;
     render::FilmError error;
-    double seconds;    ///< that all its samples took
-    render::Film crop; ///< enlarged
+    std::optional<Uncertainty> uncertainty; ///< where it is known
+    double seconds;                         ///< that all its samples took
+    render::Film crop;                      ///< enlarged
 };
 
 /// A generator with an image for each number of samples.
@@ -65,6 +71,9 @@ const ComparedGenerator& baselineOf(const Comparison& comparison);
 /// logarithmic axes, beyond them by the law of independent samples, RMSE ~ samples^(-1/2). For an
 /// RMSE of 0 its first image without error, or infinity.
 double equivalentSamples(const ComparedGenerator& baseline, double rmse);
+
+/// Whether the uncertainties of the errors are known: of all images or of none.
+bool hasUncertainties(const Comparison& comparison);
 
 /// One line for each image.
 std::string compareTable(const Comparison& comparison);

@@ -71,7 +71,7 @@ int run(int argc, char** argv) {
     app.footer(kExamples);
     app.require_subcommand(1);
     for (const auto add :
-         {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy, addReport})
+         {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy, addReport, addBank})
         add(app, exitCode);
 #if defined(WELLSTRAT_WITH_RENDERER)
     for (const auto add : {addRender, addMerge, addCompare}) add(app, exitCode);

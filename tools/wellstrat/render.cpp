@@ -10,7 +10,6 @@
 #include "output_file.h"
 #include "render_run.h"
 #include "run_on_ranks.h"
-#include "sampling.h"
 #include "scene_options.h"
 
 #include "renderer/film_file.h"
@@ -41,6 +40,9 @@ and mpirun shares the tiles of one image.
 
 Ctrl-C and --time-limit write what is there; --resume FILE goes on from such an image, or from a
 checkpoint, with the same command, also with more --spp.
+
+--generator joint stratifies the first domains of each path together, which pays from some 64
+samples a pixel on.
 
 --noise E stops pixels whose estimated standard error, and that of the pixels around them, is at
 most E times their luminance plus 0.01 (0.05: 5 %). It looks after 16, 32, 64, ... samples, and
@@ -143,7 +145,8 @@ void checkCheckpoint(const RenderOptions& options) {
 
 RenderJob prepare(const RenderOptions& options, bool root) {
     const SampleSpan span = spanOf(options);
-    const Generator* const generator = findGenerator("--generator", options.generator).generator;
+    const Generator* const generator =
+        findGenerator("--generator", options.generator, renderGenerators()).generator;
     if (options.scene.scene.empty()) {
         throw CliError("a scene is required: a file, or one of --list");
     }
@@ -287,7 +290,7 @@ void addRender(CLI::App& app, int& exitCode) {
                      "The image: FILE.exr, FILE.png or FILE.hdr; may be given several times")
         ->allow_extra_args(false)
         ->type_name("FILE");
-    command->add_option("--generator", options->generator, "What draws the samples [pmj]")
+    command->add_option("--generator", options->generator, "What draws the samples: pmj, joint or random [pmj]")
         ->type_name("NAME");
     addNumber(*command, "--spp", options->spp, {1, kMaxWord}, "Samples of each pixel [64]");
     addSamples(*command, options->samples);

@@ -76,7 +76,7 @@ std::vector<SampleRun> sampleRuns(const SampleOptions& options) {
     std::vector<SampleRun> runs;
     for (const std::string& name : names) {
         const NamedGenerator& generator =
-            findGenerator(compares ? "--compare" : "--generator", name);
+            findGenerator(compares ? "--compare" : "--generator", name, sampleGenerators());
         runs.push_back({&generator, static_cast<unsigned>(options.dims),
                         static_cast<uint32_t>(options.pattern), options.first, options.count});
     }
@@ -114,7 +114,7 @@ void sample(const SampleOptions& options) {
 
 std::string generatorHelp() {
     std::string help = "Where samples come from [pmj]";
-    for (const NamedGenerator& generator : namedGenerators()) {
+    for (const NamedGenerator& generator : sampleGenerators()) {
         help += fmt::format("\n  {}: {}", generator.name, generator.description);
     }
     return help;

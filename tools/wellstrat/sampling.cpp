@@ -3,6 +3,7 @@
 #include "sampling.h"
 
 #include "errors.h"
+#include "wellstrat/joint.h"
 #include "wellstrat/random_generator.h"
 
 #include <fmt/format.h>
@@ -18,9 +19,20 @@ const std::vector<NamedGenerator>& namedGenerators() {
     return generators;
 }
 
-const NamedGenerator& findGenerator(const std::string& option, const std::string& name) {
+const std::vector<NamedGenerator>& sampleGenerators() {
+    static const std::vector<NamedGenerator> generators = [] {
+        std::vector<NamedGenerator> all = namedGenerators();
+        all.push_back({"joint", "the tables in the order of slot 0 of joint stratification",
+                       JointProgressive().ForChild(jointScramble(0), 1)});
+        return all;
+    }();
+    return generators;
+}
+
+const NamedGenerator& findGenerator(const std::string& option, const std::string& name,
+                                    const std::vector<NamedGenerator>& among) {
     std::string names;
-    for (const NamedGenerator& candidate : namedGenerators()) {
+    for (const NamedGenerator& candidate : among) {
         if (name == candidate.name) return candidate;
         names += names.empty() ? candidate.name : fmt::format(", {}", candidate.name);
     }

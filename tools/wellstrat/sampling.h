@@ -23,9 +23,13 @@ struct NamedGenerator {
 /// All of them.
 const std::vector<NamedGenerator>& namedGenerators();
 
-/// The one called `name`. Throws CliError, which names `option` and all generators, if there is
-/// none.
-const NamedGenerator& findGenerator(const std::string& option, const std::string& name);
+/// These, and slot 0 of the joint samples: of one domain there is nothing to choose.
+const std::vector<NamedGenerator>& sampleGenerators();
+
+/// The one of `among` called `name`. Throws CliError, which names `option` and all of them, if
+/// there is none.
+const NamedGenerator& findGenerator(const std::string& option, const std::string& name,
+                                    const std::vector<NamedGenerator>& among = namedGenerators());
 
 /// Samples first to first + count - 1 of one pattern.
 struct SampleRun {

@@ -11,6 +11,7 @@
 #include "renderer/memory.h"
 #include "renderer/scene_file.h"
 
+#include "wellstrat/joint.h"
 #include "wellstrat/version.h"
 
 #include <fmt/format.h>
@@ -207,6 +208,16 @@ ImageSize imageSize(const SceneOptions& options, const render::Scene& scene) {
         throw CliError(fmt::format("--size: {}", error.what()));
     }
     return size;
+}
+
+const std::vector<NamedGenerator>& renderGenerators() {
+    static const JointProgressive joint;
+    static const std::vector<NamedGenerator> generators = [] {
+        std::vector<NamedGenerator> all = namedGenerators();
+        all.push_back({"joint", "the tables, with domains stratified together", &joint});
+        return all;
+    }();
+    return generators;
 }
 
 std::unique_ptr<render::Renderer> makeRenderer(const SceneOptions& options,

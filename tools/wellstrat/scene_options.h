@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "sampling.h"
+
 #include "renderer/render.h"
 #include "renderer/scene.h"
 
@@ -15,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wellstrat::cli {
 
@@ -48,6 +51,10 @@ render::Scene loadScene(const SceneOptions& options);
 /// The size asked for, or 256 rows in the shape of the scene. Throws CliError if its film does not
 /// fit into memory.
 ImageSize imageSize(const SceneOptions& options, const render::Scene& scene);
+
+/// What samples of the renderer's domains may come from: the generators of other commands, and
+/// those that need marked domains.
+const std::vector<NamedGenerator>& renderGenerators();
 
 /// What renders the scene; `generator` is null for the tables. Throws CliError.
 std::unique_ptr<render::Renderer> makeRenderer(const SceneOptions& options,

@@ -34,6 +34,7 @@ std::string listText() {
         fmt::format_to(out, "  {:<18} {}\n", name, what);
     };
     for (const StudySourceKind& kind : studySourceKinds()) row(kind.name, kind.description);
+    row("joint:3+7", "the same with these slots, for as many domains");
     row("file:PATH", "the points of a file; NumPy arrays may hold many patterns");
     text += "\nIntegrands, with the dimensions of their domains\n";
     for (const IntegrandFamily& family : integrandFamilies()) {

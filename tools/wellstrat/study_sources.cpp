@@ -3,8 +3,11 @@
 #include "study_sources.h"
 
 #include "errors.h"
+#include "options.h"
 #include "point_file.h"
 #include "sampling.h"
+
+#include "wellstrat/joint.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +15,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +23,9 @@ namespace wellstrat::cli {
 namespace {
 
 constexpr const char* kFilePrefix = "file:";
+constexpr const char* kJointPrefix = "joint:";
+
+bool startsWith(const std::string& name, const char* prefix) { return name.rfind(prefix, 0) == 0; }
 
 /// The points of a file, of one pattern or many. Domains take one coordinate after the other.
 class FileSource final : public PointSource {
@@ -49,8 +56,32 @@ private:
     PatternTable table_;
 };
 
+/// What "joint:3+7" names.
+StudySourceKind jointKind(const std::string& option, const std::string& name) {
+    std::vector<unsigned> slots;
+    try {
+        std::istringstream words(name.substr(std::strlen(kJointPrefix)));
+        for (std::string word; std::getline(words, word, '+');) {
+            uint64_t slot = 0;
+            if (!parseNumber(word, {0, kJointSlots - 1}, slot)) {
+                throw std::invalid_argument(fmt::format("'{}' is no slot", word));
+            }
+            slots.push_back(static_cast<unsigned>(slot));
+        }
+        if (slots.empty()) throw std::invalid_argument("there is no slot");
+        jointSource(slots);
+    } catch (const std::invalid_argument& error) {
+        throw CliError(
+            fmt::format("{}: '{}': {}; accepted are different slots from 0 to {}, as in "
+                        "joint:3+7",
+                        option, name, error.what(), kJointSlots - 1));
+    }
+    return {name, "", [slots] { return jointSource(slots); }};
+}
+
 /// `more` is what is accepted beside generators.
 StudySourceKind findKind(const std::string& option, const std::string& name, const char* more) {
+    if (startsWith(name, kJointPrefix)) return jointKind(option, name);
     std::vector<std::string> names;
     for (StudySourceKind& kind : studySourceKinds()) {
         if (kind.name == name) return std::move(kind);
@@ -61,12 +92,12 @@ StudySourceKind findKind(const std::string& option, const std::string& name, con
 }
 
 PointSourcePtr makeSource(const std::string& name) {
-    if (name.rfind(kFilePrefix, 0) == 0) {
+    if (startsWith(name, kFilePrefix)) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
         return std::make_unique<FileSource>(readPatterns(options));
     }
-    return findKind("--generators", name, ", file:PATH").make();
+    return findKind("--generators", name, ", joint:SLOT+SLOT, file:PATH").make();
 }
 
 } // namespace
@@ -77,6 +108,8 @@ std::vector<StudySourceKind> studySourceKinds() {
         kinds.push_back({generator.name, generator.description,
                          [g = generator.generator] { return generatorSource(g); }});
     }
+    kinds.push_back({"joint", "the tables, domains stratified together: slots 0, 1, 2, ...",
+                     [] { return jointSource(); }});
     const auto addSobol = [&](const char* name, const char* description,
                               SobolRandomization randomization) {
         kinds.push_back({name, description, [=] { return sobolSource(randomization); }});
@@ -91,7 +124,7 @@ std::vector<StudySourceKind> studySourceKinds() {
 }
 
 StudySourceKind findStudySource(const std::string& option, const std::string& name) {
-    return findKind(option, name, "");
+    return findKind(option, name, ", joint:SLOT+SLOT");
 }
 
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names) {

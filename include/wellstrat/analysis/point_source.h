@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace wellstrat {
 
@@ -49,6 +50,12 @@ using PointSourcePtr = std::unique_ptr<const PointSource>;
 /// The samples that a RixRNG with `generator` draws, null for the tables: domain d of pattern p is
 /// {p, 0}.NewDomain(d). The generator must outlive the source.
 WELLSTRAT_API PointSourcePtr generatorSource(const Generator* generator);
+
+/// The samples of JointProgressive (joint.h): domain d of pattern p is
+/// {p, 0}.NewDomain(jointScramble(slots[d])), drawn from this slot; domains beyond `slots` are
+/// those of generatorSource(nullptr). Without any slots, all of them: 0, 1, 2, ... Throws
+/// std::invalid_argument for a slot that there is not or that comes twice.
+WELLSTRAT_API PointSourcePtr jointSource(const std::vector<unsigned>& slots = {});
 
 /// What is done to the points of Sobol' for each pattern.
 enum class SobolRandomization { none, digitalShift, owen };

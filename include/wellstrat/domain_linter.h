@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Finds the mistakes that integrators make with domains, which no compiler sees and which a picture
+// shows only as a little more noise.
+
+#pragma once
+
+#include "wellstrat/generator.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wellstrat {
+
+/// A generator to debug an integrator with. Set it on the camera RixRNG; it passes on the samples
+/// of the generator that it wraps, bit for bit, and records which domains are drawn:
+///
+///     const wellstrat::DomainLinter linter(&joint);
+///     RixRNG camera(contexts, numPts, &linter);
+///     // ... render a few pixels ...
+///     std::fputs(linter.report().c_str(), stderr);
+///
+/// A path is all that is drawn for one sampleid of one camera pattern. Faults are judged from the
+/// whole record when they are asked for, so neither order nor threads matter. What is seen, and
+/// what is not, is in docs/linter.md.
+///
+/// Safe in any thread. Each draw locks a mutex and takes some 50 ns, and each sample about 40 bytes
+/// until clear(): lint a few pixels, not a picture. It must outlive all RixRNGs that have it.
+class WELLSTRAT_API DomainLinter final : public Generator {
+public:
+    enum class Fault {
+        drawnTwice,  ///< one domain drawn twice at one sampleid; (x, y) and z once each are fine
+        samePattern, ///< two derivations led to one pattern
+        splitCount,  ///< a visit of a split by n did not draw n samples
+        slotTwice,   ///< two domains of a path draw from one slot (wellstrat/joint.h)
+        skipped,     ///< a sampleid that no path has, between those that paths have
+        repeated,    ///< a whole path drawn again
+    };
+
+    /// All cases of one fault in the same domains.
+    struct Finding {
+        Fault fault;
+        std::string message; ///< one line, which names the domains: "camera > 0x03707344 split 4"
+        uint64_t count;      ///< of samples, patterns, visits, paths, sampleids and paths
+        SampleCtx path; ///< one of them: the camera's context, or that of the last distribution
+    };
+
+    /// `inner`, which is not owned, makes the samples; null: the tables.
+    explicit DomainLinter(const Generator* inner = nullptr);
+    ~DomainLinter() override;
+    DomainLinter(const DomainLinter&) = delete;
+    DomainLinter& operator=(const DomainLinter&) = delete;
+
+    float Sample1D(const SampleCtx& sc, unsigned i) const override;
+    Float2 Sample2D(const SampleCtx& sc, unsigned i) const override;
+    Float3 Sample3D(const SampleCtx& sc, unsigned i) const override;
+    void MultiSample1D(unsigned n, const SampleCtx& sc, float* xis) const override;
+    void MultiSample2D(unsigned n, const SampleCtx& sc, Float2* xis) const override;
+    void MultiSample3D(unsigned n, const SampleCtx& sc, Float3* xis) const override;
+    const Generator* ForChild(Scramble scramble, unsigned split) const override;
+
+    /// The faults in what was drawn so far, sorted; equal records give equal findings.
+    std::vector<Finding> findings() const;
+
+    /// The same as text: a line for each finding, or "no faults in 120 draws of 3 domains".
+    std::string report() const;
+
+    /// Forgets all draws. RixRNGs that have this generator stay valid.
+    void clear();
+
+private:
+    class State;
+    class Domain;
+    const std::unique_ptr<State> state_;
+};
+
+} // namespace wellstrat

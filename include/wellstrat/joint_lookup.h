@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The samples of the slots of joint.h: those of lookup.h in another order. This scalar code is the
+// definition; every faster path gives the same bits.
+//
+// Slot d has the linear order U_d (joint_bank.h): sample i of each block of 4096 stands at place
+// U_d i of the block's table, bits taken as a vector over GF(2). U_d is upper triangular with a
+// diagonal of ones, so that every aligned run of 2^m samples is an aligned run of the table, with
+// all its stratification; and as all slots of a path share i, the bank of matrices decides how well
+// their samples are stratified together. Table, digital shift and so the set of 4096 points are
+// those of lookup.h. In every other pattern, at random, the order is P U_d, P being Pascal's
+// triangle modulo 2: this makes y of the point what x was, in distribution, and so neither axis can
+// be the lucky one in all pixels. Last, the places of a group of 256 are shifted by a constant of
+// the pattern, by exclusive or, which in Owen-scrambled tables changes nothing but the luck.
+//
+// Under splits by n in all, sampleid = visit * n + branch, and the order is that of the visits: all
+// branches of visit s stand together at places n * (U_d s) + [0, n), shuffled among themselves by a
+// hash of the visit. (U_d of the sampleid itself would lose most of what slots have in common; an
+// order of branches that is the same in each visit would tie those of two slots to each other.)
+
+#pragma once
+
+#include "wellstrat/lookup.h"
+
+namespace wellstrat {
+
+/// How many slots there are, and the most branches in all that a slot may have.
+constexpr unsigned kJointSlots = 16;
+constexpr unsigned kMaxJointSplit = 256;
+
+/// U_d i and P U_d i by bytes of i, for all slots d: order(i) = low[i % 256] ^ high[i / 256].
+struct JointOrders {
+    uint8_t low[kJointSlots][2][256];
+    uint16_t high[kJointSlots][2][kTableSize / 256];
+};
+
+namespace detail {
+extern WELLSTRAT_API const JointOrders kJointOrders;
+} // namespace detail
+
+// In all that follows, `slot` is in [0, kJointSlots) and `split`, the product of all splits above
+// the slot, in [1, kMaxJointSplit]; others are undefined.
+
+/// The bit of a pattern's seed that decides whether its order is U_d or P U_d.
+constexpr uint32_t kJointSwapBit = 16;
+
+/// U_d or P U_d times `index` in [0, kTableSize), for a pattern with this seed.
+inline uint32_t jointPlace(uint32_t seed, unsigned slot, uint32_t index) {
+    const unsigned swap = (seed & kJointSwapBit) != 0;
+    return detail::kJointOrders.low[slot][swap][index % 256] ^
+           detail::kJointOrders.high[slot][swap][index / 256];
+}
+
+/// The samples of a slot are stratified below this sampleid, that of the last visit of which all
+/// branches are, and random from there on.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t jointStratifiedSamples(unsigned split) {
+    return split == 1 ? kStratifiedSamples : kStratifiedSamples - kStratifiedSamples % split;
+}
+
+/// The low bits of a visit that its order changes: all 12, but at the end of the stratified visits
+/// only those of the largest aligned run of visits that ends before `visits`. `visit` < `visits`.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t jointOrderMask(uint32_t visit, uint32_t visits) {
+    uint32_t differing = visit ^ visits;
+    for (unsigned shift = 1; shift < 32; shift *= 2) differing |= differing >> shift;
+    return differing / 2 & (kTableSize - 1);
+}
+
+/// The place of a branch in [0, split) among the branches of its visit. With split = odd * 2^v, the
+/// low v bits are flipped at random and the rest is rotated at random, so that aligned runs of
+/// branches of up to 2^v stay such runs.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t jointBranch(uint32_t seed, uint32_t visit, uint32_t branch,
+                                                     unsigned split) {
+    const uint32_t evenPart = split & (0u - split), odd = split / evenPart;
+    const uint32_t hash = mixBits(seed + visit * detail::kGolden);
+    const uint32_t rotated = branch / evenPart + scaleToRange(hash, odd);
+    const uint32_t flipped = (branch ^ hash) & (evenPart - 1);
+    return (rotated < odd ? rotated : rotated - odd) * evenPart + flipped;
+}
+
+/// The sampleid at which a table in its own order would have the point of a sample, but for the
+/// shift within the group; `sampleid` is below jointStratifiedSamples(split), and so is the result.
+inline uint32_t jointIndex(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
+    if (split == 1) {
+        return (sampleid & ~(kTableSize - 1)) | jointPlace(seed, slot, sampleid % kTableSize);
+    }
+    const uint32_t visit = sampleid / split;
+    const uint32_t mask = jointOrderMask(visit, kStratifiedSamples / split);
+    const uint32_t place = (visit & ~mask) | jointPlace(seed, slot, visit & mask);
+    return place * split + jointBranch(seed, visit, sampleid % split, split);
+}
+
+/// Where the point of a sample lies in the tables. `sampleid` as for jointIndex. The last 8 bits of
+/// the seed are added to the place in the group, so that patterns start anywhere in it: patterns of
+/// one table have more orders than two, and lookups spread over the lines of the cache.
+inline uint32_t jointOffset(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
+    const uint32_t index = jointIndex(seed, sampleid, slot, split);
+    const uint32_t offset = tableOffset(tableOfBlock(seed, index / kTableSize), index % kTableSize);
+    return offset ^ (seed & (kGroupSize - 1));
+}
+
+/// Sample `sampleid` of pattern `patternid`, drawn from a slot under splits by `split` in all, from
+/// the tables at `words`: z, (x, y) and (x, y, z) of its point in [0, 1). Any two integers are
+/// valid. Safe in any thread.
+inline float jointSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
+                           unsigned slot, unsigned split) {
+    if (sampleid >= jointStratifiedSamples(split)) return randomSample1D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleZ(words, seed, jointOffset(seed, sampleid, slot, split));
+}
+inline Float2 jointSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
+                            unsigned slot, unsigned split) {
+    if (sampleid >= jointStratifiedSamples(split)) return randomSample2D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleXY(words, seed, jointOffset(seed, sampleid, slot, split));
+}
+inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
+                            unsigned slot, unsigned split) {
+    if (sampleid >= jointStratifiedSamples(split)) return randomSample3D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    const uint32_t offset = jointOffset(seed, sampleid, slot, split);
+    const Float2 xy = tableSampleXY(words, seed, offset);
+    return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
+}
+
+} // namespace wellstrat

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "debug/derivation.h"
+
+#include "wellstrat/joint.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace wellstrat::detail {
+
+namespace {
+
+/// The inverse of odd `a` modulo 2^32, by Newton's iteration: `a` itself is right in 3 bits, and
+/// each step doubles them.
+constexpr uint32_t inverse(uint32_t a) {
+    uint32_t x = a;
+    for (int bits = 3; bits < 32; bits *= 2) x *= 2u - a * x;
+    return x;
+}
+
+/// Undoes mixBits, step by step from its end.
+constexpr uint32_t unmixBits(uint32_t x, uint32_t secondMultiplier) {
+    x ^= (x >> 15) ^ (x >> 30);
+    x *= inverse(secondMultiplier);
+    x ^= (x >> 15) ^ (x >> 30);
+    x *= inverse(kFirstMultiplier);
+    x ^= x >> 16;
+    return x;
+}
+
+static_assert(unmixBits(wellstrat::mixBits(0x12345678u), kSecondMultiplier) == 0x12345678u);
+
+std::string hexadecimal(unsigned value) {
+    char text[16];
+    std::snprintf(text, sizeof text, "0x%08x", value);
+    return text;
+}
+
+} // namespace
+
+unsigned parentPattern(unsigned patternid, Scramble scramble) {
+    const PermutationKey key = permutationKey(static_cast<unsigned>(scramble));
+    return unmixBits(patternid, key.multiplier) ^ key.mask;
+}
+
+PathId pathOf(const Derivation& domain, SampleCtx context) {
+    unsigned pattern = context.patternid;
+    for (const Derivation* d = &domain; d != domain.base; d = d->parent) {
+        pattern = parentPattern(pattern, d->scramble);
+    }
+    return {domain.base, {pattern, static_cast<unsigned>(context.sampleid / domain.splits)}};
+}
+
+std::string nameOf(const Derivation& domain) {
+    if (!domain.parent) return "camera";
+    std::string name =
+        nameOf(*domain.parent) + " > " + hexadecimal(static_cast<unsigned>(domain.scramble));
+    const unsigned slot = slotOf(domain);
+    if (slot < kJointSlots) name += " (slot " + std::to_string(slot) + ")";
+    if (domain.split == 0) return name + " distribution";
+    return domain.split == 1 ? name : name + " split " + std::to_string(domain.split);
+}
+
+unsigned slotOf(const Derivation& domain) {
+    const bool joint = domain.parent && !domain.base->parent && domain.splits <= kMaxJointSplit;
+    if (!joint) return kJointSlots;
+    return std::min(static_cast<unsigned>(domain.scramble) - kJointScramble, kJointSlots);
+}
+
+bool isUnder(const Derivation& domain, const Derivation& ancestor) {
+    const Derivation* d = &domain;
+    while (d && d != &ancestor) d = d->parent;
+    return d != nullptr;
+}
+
+Derivations::Derivations() {
+    all_.push_back({nullptr, Scramble{}, 1, nullptr, 1, 0});
+    all_.front().base = &all_.front();
+}
+
+const Derivation& Derivations::child(const Derivation& parent, Scramble scramble, unsigned split) {
+    const auto [found, isNew] = numbers_.try_emplace({parent.number, scramble, split}, all_.size());
+    if (!isNew) return all_[found->second];
+    constexpr uint64_t kMost = uint64_t{1} << 32;
+    all_.push_back({&parent, scramble, split, parent.base, std::min(parent.splits * split, kMost),
+                    all_.size()});
+    Derivation& made = all_.back();
+    if (split == 0) {
+        made.base = &made;
+        made.splits = 1;
+    }
+    return made;
+}
+
+} // namespace wellstrat::detail

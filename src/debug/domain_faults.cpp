@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The judge of DomainLinter: from the record to the findings.
+
+#include "debug/domain_faults.h"
+
+#include "debug/fault_search.h"
+
+namespace wellstrat::detail {
+
+std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord& record) {
+    Uses uses;
+    record.forEach(derivations, [&](const Derivation& domain, SampleCtx context, DrawCounts drawn) {
+        uses.push_back({&domain, context, drawn, pathOf(domain, context)});
+    });
+    Findings findings;
+    std::sort(uses.begin(), uses.end(), lessByPath);
+    markWholePaths(uses);
+    findRepeated(uses, findings);
+    findSkipped(uses, findings);
+    findSlots(uses, findings);
+
+    std::sort(uses.begin(), uses.end(), lessByPattern);
+    findSplits(uses, findings);
+    findDrawnTwice(uses, findings);
+    findSharedPatterns(uses, findings);
+    return findings.sorted();
+}
+
+} // namespace wellstrat::detail

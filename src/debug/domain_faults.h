@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The judge of DomainLinter.
+
+#pragma once
+
+#include "debug/draw_record.h"
+#include "wellstrat/domain_linter.h"
+
+#include <vector>
+
+namespace wellstrat::detail {
+
+/// All faults in a record, sorted by kind and message.
+std::vector<DomainLinter::Finding> findFaults(const Derivations& derivations,
+                                              const DrawRecord& record);
+
+} // namespace wellstrat::detail

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Faults of patterns: samples drawn twice, and patterns that two derivations lead to.
+
+#include "debug/fault_search.h"
+
+#include <cmath>
+
+namespace wellstrat::detail {
+
+namespace {
+
+/// 32-bit patterns coincide by chance as well. Coincidences count only where as many would come
+/// about with less than this probability, for each pair of domains.
+constexpr double kChance = 1e-6;
+
+/// Whether so many coincidences among so many pairs of patterns are no chance: a bound on the tail
+/// of the Poisson distribution, mean^count / count!.
+bool isNoChance(std::size_t count, double pairs) {
+    const double mean = pairs * 0x1p-32;
+    double logarithm = 0.0;
+    for (std::size_t i = 1; i <= count; ++i) {
+        logarithm += std::log(mean / static_cast<double>(i));
+    }
+    return static_cast<double>(count) > mean && logarithm < std::log(kChance);
+}
+
+/// Pairs of derivations that lead to one pattern.
+class SharedPatterns {
+public:
+    explicit SharedPatterns(const Uses& uses) {
+        for (const Use& use : uses) ++drawnOf_[use.path.start.patternid];
+        forEachRun(uses.begin(), uses.end(), sameDomainAndPattern,
+                   [&](auto first, auto) { ++patterns_[first->domain]; });
+        forEachRun(uses.begin(), uses.end(), samePattern,
+                   [&](auto first, auto last) { addPairs(first, last); });
+    }
+
+    void find(Findings& findings) const {
+        for (const auto& [pair, shared] : shared_) {
+            const double pairs = patterns_.at(pair.first) * patterns_.at(pair.second);
+            if (!isNoChance(shared.size(), pairs)) continue;
+            const auto [a, b] = whereTheyMeet(pair);
+            std::string names[] = {nameOf(*a), nameOf(*b)};
+            std::sort(names, names + 2);
+            for (const SampleCtx path : shared) {
+                findings.add(Fault::samePattern, names[0] + " and " + names[1] + ": one pattern",
+                             path);
+            }
+        }
+    }
+
+private:
+    using Iterator = Uses::const_iterator;
+    using Pair = std::pair<const Derivation*, const Derivation*>;
+
+    void addPairs(Iterator first, Iterator last) {
+        std::vector<std::pair<Iterator, Iterator>> domains;
+        forEachRun(first, last, sameDomainAndPattern,
+                   [&](Iterator begin, Iterator end) { domains.emplace_back(begin, end); });
+        for (std::size_t i = 0; i < domains.size(); ++i) {
+            for (std::size_t j = i + 1; j < domains.size(); ++j) {
+                const Pair pair{domains[i].first->domain, domains[j].first->domain};
+                if (mayBeOne(pair) && !shareSample(domains[i], domains[j])) continue;
+                shared_[pair].push_back(
+                    likelier(domains[i].first->path.start, domains[j].first->path.start));
+            }
+        }
+    }
+
+    /// Contexts that were overwritten lead back to a path that there is not. Few samples seem to
+    /// belong to it.
+    SampleCtx likelier(SampleCtx a, SampleCtx b) const {
+        const auto key = [this](SampleCtx sc) {
+            return std::make_pair(drawnOf_.at(sc.patternid), sc.patternid);
+        };
+        return key(a) < key(b) ? b : a;
+    }
+
+    /// What was derived by hand has a chain that lacks these steps. So one chain that is part of
+    /// another may mean the same domain, which is no fault then unless both draw one sample.
+    static bool mayBeOne(Pair pair) {
+        return isPart(*pair.first, *pair.second) || isPart(*pair.second, *pair.first);
+    }
+
+    static bool isPart(const Derivation& part, const Derivation& whole) {
+        const Derivation* p = &part;
+        for (const Derivation* w = &whole; w && p->parent; w = w->parent) {
+            if (w->scramble == p->scramble && w->split == p->split && w->parent) p = p->parent;
+        }
+        return !p->parent;
+    }
+
+    static bool shareSample(std::pair<Iterator, Iterator> a, std::pair<Iterator, Iterator> b) {
+        while (a.first != a.second && b.first != b.second) {
+            const unsigned x = a.first->context.sampleid;
+            const unsigned y = b.first->context.sampleid;
+            if (x == y) return true;
+            ++(x < y ? a.first : b.first);
+        }
+        return false;
+    }
+
+    /// What derives one pattern in the same way from two others derives it from one.
+    static Pair whereTheyMeet(Pair pair) {
+        auto [a, b] = pair;
+        while (a->parent && b->parent && a->scramble == b->scramble && a->split == b->split) {
+            a = a->parent;
+            b = b->parent;
+        }
+        return {a, b};
+    }
+
+    std::map<unsigned, std::size_t> drawnOf_;       ///< samples of each pattern of paths
+    std::map<const Derivation*, double> patterns_;  ///< how many each drew from
+    std::map<Pair, std::vector<SampleCtx>> shared_; ///< a path for each shared pattern
+};
+
+} // namespace
+
+void findDrawnTwice(const Uses& uses, Findings& findings) {
+    const auto isFault = [](const Use& use) { return use.isTwice() && !use.runsOver; };
+    struct Patterns {
+        double all = 0;
+        std::size_t twice = 0;
+    };
+    std::map<const Derivation*, Patterns> patterns;
+    forEachRun(uses.begin(), uses.end(), sameDomainAndPattern, [&](auto first, auto last) {
+        Patterns& counts = patterns[first->domain];
+        ++counts.all;
+        counts.twice += std::any_of(first, last, isFault);
+    });
+    for (const Use& use : uses) {
+        if (!isFault(use)) continue;
+        // Patterns of one chain of bijections never coincide; those of distribution may.
+        const Patterns& counts = patterns[use.domain];
+        const double pairs = use.path.base->parent ? counts.all * counts.all / 2 : 0.0;
+        if (!isNoChance(counts.twice, pairs)) continue;
+        const bool xy = use.drawn.xy > use.pathTimes;
+        const bool z = use.drawn.z > use.pathTimes;
+        const char* what = xy && z ? "3D" : xy ? "2D" : "1D";
+        findings.add(Fault::drawnTwice,
+                     nameOf(*use.domain) + ": one " + what + " sample is drawn more than once",
+                     use.path.start);
+    }
+}
+
+void findSharedPatterns(const Uses& uses, Findings& findings) {
+    SharedPatterns(uses).find(findings);
+}
+
+} // namespace wellstrat::detail

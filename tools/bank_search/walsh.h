@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The Walsh-Hadamard transform, which turns sums over i of f(i) g(i XOR c), for all c at once, into
+// products.
+
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace wellstrat::bank {
+
+/// In place; the size is a power of two. Twice gives the size times the original.
+inline void walshTransform(std::vector<float>& values) {
+    const std::size_t size = values.size();
+    for (std::size_t half = 1; half < size; half *= 2) {
+        for (std::size_t block = 0; block < size; block += 2 * half) {
+            float* low = values.data() + block;
+            float* high = low + half;
+            for (std::size_t i = 0; i < half; ++i) {
+                const float sum = low[i] + high[i];
+                high[i] = low[i] - high[i];
+                low[i] = sum;
+            }
+        }
+    }
+}
+
+} // namespace wellstrat::bank
