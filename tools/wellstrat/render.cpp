@@ -290,7 +290,9 @@ void addRender(CLI::App& app, int& exitCode) {
                      "The image: FILE.exr, FILE.png or FILE.hdr; may be given several times")
         ->allow_extra_args(false)
         ->type_name("FILE");
-    command->add_option("--generator", options->generator, "What draws the samples: pmj, joint or random [pmj]")
+    command
+        ->add_option("--generator", options->generator,
+                     "What draws the samples: pmj, joint or random [pmj]")
         ->type_name("NAME");
     addNumber(*command, "--spp", options->spp, {1, kMaxWord}, "Samples of each pixel [64]");
     addSamples(*command, options->samples);
