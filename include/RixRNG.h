@@ -51,7 +51,8 @@ public:
     }
 
     /// The same with the parent's generator. The contexts are left as they are, for when the points
-    /// differ from the parent's in number or order.
+    /// differ from the parent's in number or order. They should be of the parent's domain: a new
+    /// domain may have another generator, which `Generator::ForChild` tells.
     RixRNG(const RixRNG& parent, SampleCtx* contexts, unsigned numPoints)
         : RixRNG(contexts, numPoints, parent.generator) {}
 

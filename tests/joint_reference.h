@@ -50,8 +50,10 @@ inline int64_t referenceIndex(uint32_t patternid, uint32_t sampleid, unsigned sl
     uint32_t evenPart = 1;
     while (n / evenPart % 2 == 0) evenPart *= 2;
     const uint32_t hash = mixBits(seed + visit * 0x9e3779b9u), odd = n / evenPart;
-    const uint32_t high = (branch / evenPart + scaleToRange(hash, odd)) % odd;
-    const uint32_t low = branch % evenPart ^ hash % evenPart;
+    const uint32_t q = branch / evenPart, multiplier = 1u << hash % 8;
+    const uint32_t high = (q * multiplier + scaleToRange(hash, odd)) % odd;
+    const uint32_t shuffled = shuffledPlace(hash + q * 0x9e3779b9u, branch % evenPart);
+    const uint32_t low = reverseBits(shuffled << 24) % evenPart;
     return int64_t{place} * n + high * evenPart + low;
 }
 

@@ -12,9 +12,10 @@
 //     RixRNG bxdf(camera, kBxdfScramble, bxdfContexts);                      // padded
 //     RixRNG direction(bxdf, wellstrat::jointScramble(1), directionContexts);
 //
-// Each slot by itself keeps every promise of the tables' samples. Lower slots are better together,
-// so give slot 0 to the domain that matters most, and use each slot once on a path. What is gained
-// is measured in docs/joint.md; the samples are defined in joint_lookup.h.
+// Each slot by itself keeps every promise of the tables' samples (under splits, if they are powers
+// of two). Lower slots are better together, so give slot 0 to the domain that matters most, and use
+// each slot once on a path. What is gained is measured in docs/joint.md; the samples are defined in
+// joint_lookup.h.
 
 #pragma once
 
@@ -46,9 +47,12 @@ WELLSTRAT_HOST_DEVICE constexpr Scramble jointScramble(unsigned slot) {
 ///     split by n                       as above, if all splits make up 1 to kMaxJointSplit
 ///     branches otherwise, and by distribution   as without a generator, and so do all its children
 ///
-/// No other domain inherits a slot. Drawing one slot through two different domains for one sample
-/// of the camera is a mistake, by which the two are correlated. A build of the library without
-/// NDEBUG prints both and aborts (docs/linter.md); use another object for another integrator there.
+/// No other domain inherits a slot. But a RixRNG(parent, contexts, n) whose contexts were filled
+/// with NewDomain of a slot's contexts is another domain in the order of the slot: its samples and
+/// the slot's are in lockstep. Make its generator with ForChild, as docs/api.md shows. Drawing one
+/// slot through two different domains for one sample of the camera is a mistake, by which the two
+/// are correlated. A build of the library without NDEBUG prints both and aborts (docs/linter.md);
+/// use another object for another integrator there.
 class WELLSTRAT_API JointProgressive final : public Generator {
 public:
     /// For a camera's RixRNG: padded samples itself.

@@ -16,7 +16,9 @@
 // Under splits by n in all, sampleid = visit * n + branch, and the order is that of the visits: all
 // branches of visit s stand together at places n * (U_d s) + [0, n), shuffled among themselves by a
 // hash of the visit. (U_d of the sampleid itself would lose most of what slots have in common; an
-// order of branches that is the same in each visit would tie those of two slots to each other.)
+// order of branches that is the same in each visit would tie those of two slots to each other.) For
+// powers of two, aligned runs stay aligned runs; for other n, only those of visits do. P U_d is
+// then an order of visits like U_d, and does not change the axes.
 
 #pragma once
 
@@ -65,16 +67,18 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t jointOrderMask(uint32_t visit, uint32_t
     return differing / 2 & (kTableSize - 1);
 }
 
-/// The place of a branch in [0, split) among the branches of its visit. With split = odd * 2^v, the
-/// low v bits are flipped at random and the rest is rotated at random, so that aligned runs of
-/// branches of up to 2^v stay such runs.
+/// The place of a branch in [0, split) among the branches of its visit, shuffled by a hash of
+/// pattern and visit. With split = odd * 2^v, branches are `odd` runs of 2^v: the run q becomes run
+/// q * 2^e + b modulo `odd`, with random e and b, and in each run there is a nested shuffle of its
+/// own, so that aligned runs of up to 2^v stay such runs.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t jointBranch(uint32_t seed, uint32_t visit, uint32_t branch,
                                                      unsigned split) {
     const uint32_t evenPart = split & (0u - split), odd = split / evenPart;
     const uint32_t hash = mixBits(seed + visit * detail::kGolden);
-    const uint32_t rotated = branch / evenPart + scaleToRange(hash, odd);
-    const uint32_t flipped = (branch ^ hash) & (evenPart - 1);
-    return (rotated < odd ? rotated : rotated - odd) * evenPart + flipped;
+    const uint32_t run = branch / evenPart, lowBits = evenPart - 1;
+    const uint32_t newRun = ((run << (hash & 7u)) + scaleToRange(hash, odd)) % odd;
+    const uint32_t shuffled = shuffledPlace(hash + run * detail::kGolden, branch & lowBits);
+    return newRun * evenPart + (reverseByte(shuffled) & lowBits);
 }
 
 /// The sampleid at which a table in its own order would have the point of a sample, but for the

@@ -277,7 +277,7 @@ public:
 
     HWY_INLINE V offset(V seed, V sampleid) {
         V visit, branch;
-        divide(hn::Min(sampleid, constant(kStratifiedSamples)), visit, branch);
+        divide(hn::Min(sampleid, constant(kStratifiedSamples)), split_, visit, branch);
         const V mask = jointOrderMask(visit);
         const V found = places_.find(seed, hn::And(visit, mask));
         const V ordered = hn::Or(groupStartOf(found), reversedByte(found));
@@ -289,15 +289,15 @@ public:
 private:
     static HWY_INLINE V reversedByte(V x) { return hn::ShiftRight<24>(reverseLowByte(x)); }
 
-    /// Exact for numbers below 2^18: (x + 0.5) / split is at least 0.5 / split away from any
+    /// Exact for numbers below 2^18: (x + 0.5) / divisor is at least 0.5 / divisor away from any
     /// integer, and its two roundings, of less than 2^-23 of it in all, move it by less.
-    HWY_INLINE void divide(V x, V& quotient, V& remainder) const {
+    static HWY_INLINE void divide(V x, uint32_t divisor, V& quotient, V& remainder) {
         const hn::RebindToSigned<Words> integers;
         const F middle =
             hn::Add(hn::ConvertTo(kFloats, hn::BitCast(integers, x)), hn::Set(kFloats, 0.5f));
-        const F ratio = hn::Mul(middle, hn::Set(kFloats, 1.0f / static_cast<float>(split_)));
+        const F ratio = hn::Mul(middle, hn::Set(kFloats, 1.0f / static_cast<float>(divisor)));
         quotient = hn::BitCast(kWords, hn::ConvertTo(integers, ratio));
-        remainder = hn::Sub(x, hn::Mul(quotient, constant(split_)));
+        remainder = hn::Sub(x, hn::Mul(quotient, constant(divisor)));
     }
 
     template <int kShift>
@@ -313,13 +313,20 @@ private:
 
     HWY_INLINE V jointBranch(V seed, V visit, V branch) const {
         const uint32_t odd = split_ >> evenPartLog2_;
-        const V hash = mixBits(hn::Add(seed, hn::Mul(visit, constant(detail::kGolden))));
-        const V rotated =
-            hn::Add(hn::ShiftRightSame(branch, evenPartLog2_), scaleToRange(hash, odd));
-        // What wraps to a large number is below `odd`.
-        const V wrapped = hn::Min(rotated, hn::Sub(rotated, constant(odd)));
-        const V flipped = hn::And(hn::Xor(branch, hash), constant((1u << evenPartLog2_) - 1));
-        return hn::Or(hn::ShiftLeftSame(wrapped, evenPartLog2_), flipped);
+        const V lowBits = constant((1u << evenPartLog2_) - 1);
+        const V golden = constant(detail::kGolden);
+        const V hash = mixBits(hn::Add(seed, hn::Mul(visit, golden)));
+        const V run = hn::ShiftRightSame(branch, evenPartLog2_);
+        V newRun = run; // 0
+        if (odd > 1) {
+            const V spread =
+                hn::Add(hn::Shl(run, hn::And(hash, constant(7))), scaleToRange(hash, odd));
+            V quotient;
+            divide(spread, odd, quotient, newRun);
+        }
+        const V ownHash = hn::Add(hash, hn::Mul(run, golden));
+        const V shuffled = reversedByte(shuffledPlace(ownHash, hn::And(branch, lowBits)));
+        return hn::Or(hn::ShiftLeftSame(newRun, evenPartLog2_), hn::And(shuffled, lowBits));
     }
 
     JointPlaces places_;

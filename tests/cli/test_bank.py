@@ -43,6 +43,7 @@ class BankTest(CliTest):
         self.assert_fails("bank", "--judge", "--integrands", "nonsense", mentions="nonsense")
         self.assert_fails("bank", "--judge", "--integrands", "disk^2", mentions="2D")
         self.assert_fails("bank", "--integrands", "disk", mentions="--judge")
+        self.assert_fails("bank", "--judge", "--seed", "3", mentions="--seed")
         self.assert_fails("bank", "-o", "no/such/folder", mentions="folder")
 
 

@@ -157,14 +157,17 @@ void addBank(CLI::App& app, int& /*exitCode*/) {
     CLI::App* const command =
         app.add_subcommand("bank", "Search the orders of slots that are stratified together");
     const auto options = std::make_shared<BankOptions>();
-    addNumber(*command, "--seed", options->seed, {0, kMaxWord},
-              fmt::format("Seed of the search [{}]", options->seed));
-    addNumber(*command, "--rounds", options->rounds, {0, 1000000},
-              fmt::format("Attempts to improve 2, 4, 8 and 16 slots [{}]", options->rounds));
+    CLI::Option* const seed = addNumber(*command, "--seed", options->seed, {0, kMaxWord},
+                                        fmt::format("Seed of the search [{}]", options->seed));
+    CLI::Option* const rounds =
+        addNumber(*command, "--rounds", options->rounds, {0, 1000000},
+                  fmt::format("Attempts to improve 2, 4, 8 and 16 slots [{}]", options->rounds));
     addNumber(*command, "--slots", options->slots, {2, kJointSlots},
               "Only the first so many slots, which depend on no others [16]");
     CLI::Option* const judge =
-        command->add_flag("--judge", options->judge, "Judge the slots of the library instead");
+        command->add_flag("--judge", options->judge, "Judge the slots of the library instead")
+            ->excludes(seed)
+            ->excludes(rounds);
     command
         ->add_option("--integrands", options->integrands,
                      "With --judge: A,B,... with one 2D domain each [all in the groups of study]")

@@ -61,6 +61,7 @@ StudySourceKind jointKind(const std::string& option, const std::string& name) {
     std::vector<unsigned> slots;
     try {
         std::istringstream words(name.substr(std::strlen(kJointPrefix)));
+        if (name.back() == '+') throw std::invalid_argument("a slot is missing at the end");
         for (std::string word; std::getline(words, word, '+');) {
             uint64_t slot = 0;
             if (!parseNumber(word, {0, kJointSlots - 1}, slot)) {
