@@ -52,4 +52,15 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t sobolSample(const SobolMatrix& matrix, 
     return value;
 }
 
+/// Pascal's triangle modulo 2 times the bits of `index`: P[r][c] is binomial(c, r), 1 where the
+/// bits of r are among those of c. Dimension 1 is dimension 0 of this product. Its own inverse: it
+/// makes x of a point what y was, and y what x was.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t pascalTimes(uint32_t index) {
+    index ^= (index >> 1) & 0x55555555u;
+    index ^= (index >> 2) & 0x33333333u;
+    index ^= (index >> 4) & 0x0f0f0f0fu;
+    index ^= (index >> 8) & 0x00ff00ffu;
+    return index ^ (index >> 16);
+}
+
 } // namespace wellstrat

@@ -3,17 +3,10 @@
 #include "batch/joint_orders.h"
 
 #include "wellstrat/joint_bank.h"
+#include "wellstrat/sobol.h"
 
 namespace wellstrat {
 namespace {
-
-/// P v, where P[r][c] is 1 if the bits of r are among those of c: binomial(c, r) modulo 2.
-constexpr uint32_t pascalTimes(uint32_t v) {
-    v ^= v >> 1 & 0x555u;
-    v ^= v >> 2 & 0x333u;
-    v ^= v >> 4 & 0xf0fu;
-    return v ^ (v >> 8 & 0x0ffu);
-}
 
 /// U_d or P U_d times the index, column by column.
 constexpr uint32_t placeOf(unsigned slot, unsigned swap, uint32_t index) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <unordered_map>
 
 namespace wellstrat::bank {
 namespace {
@@ -89,17 +90,34 @@ struct Candidate {
     }
 };
 
+/// The transforms of the new slot's functions over n in [2^k, 2^(k+1)).
+using OwnTransforms = std::unordered_map<const LevelFunction*, std::vector<float>>;
+
 class ColumnSearch {
 public:
     explicit ColumnSearch(const std::vector<Encounter>& encounters) : encounters_(encounters) {}
 
+    OwnTransforms ownTransforms(unsigned k) const {
+        OwnTransforms transforms;
+        for (const Encounter& encounter : encounters_) {
+            for (const Partner& partner : encounter.partners) {
+                std::vector<float>& own = transforms[partner.own];
+                if (!own.empty()) continue;
+                own.assign(partner.own->begin() + (1 << k), partner.own->begin() + (2 << k));
+                walshTransform(own);
+            }
+        }
+        return transforms;
+    }
+
     /// The price of each column k of `slot`, by its bits below k.
-    std::vector<float> prices(const PartialSlot& slot, unsigned k) const {
+    std::vector<float> prices(const PartialSlot& slot, unsigned k,
+                              const OwnTransforms& transforms) const {
         const unsigned size = 1u << k;
         std::vector<uint16_t> inverse(size);
         for (unsigned i = 0; i < size; ++i) inverse[slot.order[i]] = static_cast<uint16_t>(i);
         std::vector<float> prices(size);
-        std::vector<float> other(size), own(size), sums(size);
+        std::vector<float> other(size), sums(size);
         const float count = static_cast<float>(2 * size);
         for (std::size_t e = 0; e < encounters_.size(); ++e) {
             const Encounter& encounter = encounters_[e];
@@ -107,9 +125,8 @@ public:
             for (const Partner& partner : encounter.partners) {
                 const float* values = partner.other.data() + size;
                 for (unsigned t = 0; t < size; ++t) other[t] = values[inverse[t]];
-                own.assign(partner.own->begin() + size, partner.own->begin() + 2 * size);
                 walshTransform(other);
-                walshTransform(own);
+                const std::vector<float>& own = transforms.at(partner.own);
                 for (unsigned t = 0; t < size; ++t) sums[t] += partner.weight * own[t] * other[t];
             }
             walshTransform(sums);
@@ -195,9 +212,11 @@ Columns bestSlot(const Bank& others, unsigned number, const BeamOptions& options
     const ColumnSearch search(encounters);
     std::vector<PartialSlot> beam{startOf(encounters)};
     for (unsigned k = 0; k < kDigits; ++k) {
+        const OwnTransforms transforms = search.ownTransforms(k);
         std::vector<std::vector<float>> prices(beam.size());
-        tbb::parallel_for(std::size_t{0}, beam.size(),
-                          [&](std::size_t i) { prices[i] = search.prices(beam[i], k); });
+        tbb::parallel_for(std::size_t{0}, beam.size(), [&](std::size_t i) {
+            prices[i] = search.prices(beam[i], k, transforms);
+        });
         std::vector<Candidate> candidates;
         for (std::size_t i = 0; i < beam.size(); ++i) {
             for (unsigned c = 0; c < prices[i].size(); ++c) {
@@ -206,8 +225,7 @@ Columns bestSlot(const Bank& others, unsigned number, const BeamOptions& options
                 const double added = k + 1 < kFirstDigits ? 0 : double(prices[i][c]);
                 const double total = beam[i].price + added;
                 const float noise = options.disorder * uniform(random);
-                candidates.push_back(
-                    {total + added * double(noise), total, i, static_cast<uint16_t>(1u << k | c)});
+                candidates.push_back({total + added * double(noise), total, i, column});
             }
         }
         const std::size_t kept = std::min<std::size_t>(widthOf(options, k), candidates.size());

@@ -3,10 +3,8 @@
 // The best slot beside given ones: a beam search, column after column. For one column all 2^k
 // candidates are judged at once, since what a candidate c adds to a pair's error is a convolution,
 //
-//     sum over n in [2^k, 2^(k+1)) of F(U n) G(V n) = sum over t < 2^k of F(2^k + (t XOR c)) G(V
-//     U^-1 t)
-//
-// with the V of the other slot continued to bit k.
+//     sum over n in [2^k, 2^(k+1)) of F(U n) G(V n)
+//         = sum over t < 2^k of F(2^k + (t XOR c)) G(V (2^k + U^-1 t)).
 
 #pragma once
 

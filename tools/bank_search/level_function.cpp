@@ -29,7 +29,7 @@ unsigned sharedDigits(unsigned dimension, unsigned n) {
 LevelFunction meanOverSwap(const LevelFunction& function) {
     LevelFunction mean(kPoints);
     for (unsigned n = 0; n < kPoints; ++n) {
-        mean[n] = 0.5f * (function[n] + function[swapAxes(static_cast<uint16_t>(n))]);
+        mean[n] = 0.5f * (function[n] + function[pascalTimes(n)]);
     }
     return mean;
 }

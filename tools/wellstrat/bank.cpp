@@ -27,8 +27,8 @@ using bank::ByDigits;
 
 constexpr auto kExamples =
     R"(Prints include/wellstrat/joint_bank.h: 16 orders of a table's points that are stratified together,
-found by a search that takes a minute or two and gives the same bank on every machine. What it
-looks for is in tools/bank_search/merit.h.
+found by a search that takes some minutes and gives the same bank on every machine. What it looks
+for is in tools/bank_search/merit.h.
 
 With --judge, nothing is searched. Instead, the slots in the library are judged: for each integrand,
 as a function of one domain times the same of another, the error with N points over that of padded
