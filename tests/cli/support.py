@@ -3,12 +3,14 @@
 
 import array
 import ast
+import contextlib
 import os
 import pty
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ["WELLSTRAT"]
@@ -45,6 +47,27 @@ class CliTest(unittest.TestCase):
         return subprocess.run(
             [PROGRAM, *arguments], cwd=self.directory, stdin=subprocess.DEVNULL,
             stderr=subprocess.PIPE, timeout=200, check=False, **options)
+
+    @contextlib.contextmanager
+    def started(self, *command, **options):
+        """A process that runs at the same time, and does not outlive the block."""
+        options.setdefault("stdin", subprocess.DEVNULL)
+        with subprocess.Popen(command, cwd=self.directory, **options) as process:
+            try:
+                yield process
+            finally:
+                if process.poll() is None:
+                    process.terminate()  # of which mpirun tells its processes
+                    try:
+                        process.wait(timeout=30)
+                    except subprocess.TimeoutExpired:
+                        process.kill()
+
+    def wait_until(self, condition):
+        deadline = time.monotonic() + 100
+        while not condition():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.02)
 
     def output_of(self, *arguments, **options):
         """What a run that must succeed, without a word on standard error, prints."""

@@ -147,13 +147,10 @@ class CompareTest(CliTest):
             self.assert_fails("compare", *arguments, mentions=mentions)
 
     def test_interrupt_leaves_nothing(self):
-        with subprocess.Popen([PROGRAM, "compare", "cornell", "-o", "c.html", "--reference-spp",
-                               "1000000"], cwd=self.directory, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE) as process:
-            deadline = time.monotonic() + 60
-            while not os.listdir(self.directory):
-                self.assertLess(time.monotonic(), deadline)
-                time.sleep(0.02)
+        with self.started(PROGRAM, "compare", "cornell", "-o", "c.html", "--reference-spp",
+                          "1000000", stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE) as process:
+            self.wait_until(self.files)
             time.sleep(2)  # until it renders
             process.send_signal(signal.SIGINT)
             self.assertEqual(process.communicate(timeout=60)[1], b"wellstrat: interrupted\n")

@@ -6,7 +6,6 @@ import resource
 import signal
 import stat
 import subprocess
-import time
 import unittest
 
 from support import PROGRAM, CliTest
@@ -66,15 +65,13 @@ class OutputTest(CliTest):
     def test_signals_leave_no_file(self):
         """A long run, ended while it writes, leaves neither a part nor a temporary file."""
         for stop in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            process = subprocess.Popen([PROGRAM, "sample", "--count", "4000000000", "-o", "a.csv"],
-                                       cwd=self.directory, stderr=subprocess.PIPE)
-            deadline = time.monotonic() + 60
-            while not any(os.path.getsize(self.path(name)) for name in self.files()):
-                self.assertLess(time.monotonic(), deadline)
-                time.sleep(0.01)
-            process.send_signal(stop)
-            self.assertEqual(process.communicate(timeout=60)[1], b"")
-            self.assertEqual(process.returncode, -stop)
+            with self.started(PROGRAM, "sample", "--count", "4000000000", "-o", "a.csv",
+                              stderr=subprocess.PIPE) as process:
+                self.wait_until(lambda: any(os.path.getsize(self.path(name))
+                                            for name in self.files()))
+                process.send_signal(stop)
+                self.assertEqual(process.communicate(timeout=60)[1], b"")
+                self.assertEqual(process.returncode, -stop)
             self.assertEqual(self.files(), [])
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full")

@@ -7,7 +7,6 @@ import re
 import signal
 import struct
 import subprocess
-import time
 import unittest
 
 from support import PROGRAM, CliTest, MpiCase
@@ -210,8 +209,8 @@ class RenderTest(RenderCase):
         if not hasattr(os, "openpty"):
             self.skipTest("no pseudo-terminal")
         main, terminal = self.open_terminal()
-        with subprocess.Popen([PROGRAM, *LONG, "--time-limit", "2"], cwd=self.directory,
-                              stdout=subprocess.DEVNULL, stderr=terminal):
+        with self.started(PROGRAM, *LONG, "--time-limit", "2", stdout=subprocess.DEVNULL,
+                          stderr=terminal):
             os.close(terminal)
             shown = b""
             try:
@@ -286,12 +285,9 @@ class UnfinishedCase(RenderCase):
     def run_until(self, command, stop):
         """Runs `command` until its first checkpoint is there, calls stop(process), and gives the
         exit code and the standard error."""
-        with subprocess.Popen(command, cwd=self.directory, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE) as process:
-            deadline = time.monotonic() + 100
-            while not os.path.exists(self.path("part.exr")):
-                self.assertLess(time.monotonic(), deadline)
-                time.sleep(0.02)
+        with self.started(*command, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE) as process:
+            self.wait_until(lambda: os.path.exists(self.path("part.exr")))
             stop(process)
             errors = process.communicate(timeout=100)[1].decode()
             return process.returncode, errors
