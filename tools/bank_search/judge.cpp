@@ -106,7 +106,8 @@ Judgement judge(const Bank& bank, const Integrand& integrand) {
         variances(squaredMean, [&](unsigned n) { return function[n] * function[n]; });
 
     Judgement judgement{};
-    const auto pairs = static_cast<double>(bank.size() * (bank.size() - 1) / 2);
+    const auto slots = static_cast<double>(bank.size());
+    const double pairs = slots * (slots - 1) / 2;
     std::vector<std::vector<uint16_t>> orders;
     for (const Columns& columns : bank) orders.push_back(orderOf(columns));
     for (std::size_t a = 0; a < bank.size(); ++a) {

@@ -100,6 +100,7 @@ void sample(const SampleOptions& options) {
     if (options.plot) {
         picture = std::make_unique<Picture>("--plot", *options.plot, options.keepPlotFiles);
         std::vector<SampleStream> streams;
+        streams.reserve(runs.size());
         for (const SampleRun& run : runs) {
             streams.push_back({run.generator->name, drawPoints(run)});
         }
