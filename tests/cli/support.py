@@ -7,6 +7,7 @@ import contextlib
 import os
 import pty
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -85,6 +86,17 @@ class CliTest(unittest.TestCase):
         self.assertIn(mentions, message, arguments)
         self.assertFalse(process.stdout, arguments)
         self.assertEqual({name: self.read(name) for name in self.files()}, before, arguments)
+
+    def assert_interrupt_leaves_nothing(self, *arguments):
+        """Ctrl-C in a command that renders for long: it says so, and removes what it has begun."""
+        with self.started(PROGRAM, *arguments, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE) as process:
+            self.wait_until(self.files)
+            time.sleep(2)  # until it renders
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.communicate(timeout=60)[1], b"wellstrat: interrupted\n")
+            self.assertEqual(process.returncode, 130)
+        self.assertEqual(self.files(), [])
 
 
 def children(process):

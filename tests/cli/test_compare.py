@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """`wellstrat compare`, seen through a browser."""
 
-import os
-import signal
-import subprocess
-import time
 import unittest
 
 import numpy
 
 import browser
-from support import PROGRAM, CliTest
+from support import CliTest
 
 SCENE = ("spherelight", "--size", "40x30", "--depth", "0")
 COMPARE = ("compare", *SCENE, "--spp", "1,4,16", "--reference-spp", "256", "-o", "c.html")
@@ -147,15 +143,8 @@ class CompareTest(CliTest):
             self.assert_fails("compare", *arguments, mentions=mentions)
 
     def test_interrupt_leaves_nothing(self):
-        with self.started(PROGRAM, "compare", "cornell", "-o", "c.html", "--reference-spp",
-                          "1000000", stdout=subprocess.DEVNULL,
-                          stderr=subprocess.PIPE) as process:
-            self.wait_until(self.files)
-            time.sleep(2)  # until it renders
-            process.send_signal(signal.SIGINT)
-            self.assertEqual(process.communicate(timeout=60)[1], b"wellstrat: interrupted\n")
-            self.assertEqual(process.returncode, 130)
-        self.assertEqual(self.files(), [])
+        self.assert_interrupt_leaves_nothing("compare", "cornell", "-o", "c.html",
+                                             "--reference-spp", "1000000")
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import unittest
 
 from support import CliTest
 
-RENDERING = ("render", "merge", "compare")
+RENDERING = ("render", "merge", "compare", "domains")
 SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study", "report", "bank",
                *RENDERING)
 OPTIONS = {
@@ -31,6 +31,7 @@ OPTIONS = {
     "merge": ("-o",),
     "compare": ("-o", "--generators", "--spp", "--reference", "--reference-spp", "--seeds", "--size",
                 "--keep-plot-files"),
+    "domains": ("-o", "--generators", "--spp", "--seeds", "--size", "--depth"),
 }
 
 

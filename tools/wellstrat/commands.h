@@ -23,5 +23,6 @@ void addBank(CLI::App& app, int& exitCode);
 void addRender(CLI::App& app, int& exitCode);
 void addMerge(CLI::App& app, int& exitCode);
 void addCompare(CLI::App& app, int& exitCode);
+void addDomains(CLI::App& app, int& exitCode);
 
 } // namespace wellstrat::cli

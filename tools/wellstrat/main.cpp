@@ -74,7 +74,7 @@ int run(int argc, char** argv) {
          {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy, addReport, addBank})
         add(app, exitCode);
 #if defined(WELLSTRAT_WITH_RENDERER)
-    for (const auto add : {addRender, addMerge, addCompare}) add(app, exitCode);
+    for (const auto add : {addRender, addMerge, addCompare, addDomains}) add(app, exitCode);
 #endif
     try {
         app.parse(argc, argv);
