@@ -5,7 +5,6 @@
 #include "sampling_domains.h"
 
 #include "wellstrat/hash.h"
-#include "wellstrat/lookup.h"
 
 #include <RixRNGProgressive.h>
 

@@ -22,11 +22,16 @@ def errors(page):
     return found
 
 
+def digits(value, error):
+    """A value with its standard error in units of the last digit, such as "0.57(2)"."""
+    return f"{value:.2f}({100 * error:.0f})"
+
+
 def ratio(a, b):
-    """a / b with its standard error in units of the last digit, such as "0.57(2)"."""
+    """a / b, of values with their standard errors."""
     quotient = a[0] / b[0]
     error = quotient * ((a[1] / a[0]) ** 2 + (b[1] / b[0]) ** 2) ** 0.5
-    return f"{quotient:.2f}({100 * error:.0f})"
+    return digits(quotient, error)
 
 
 def error_ratios(lab, generator, baseline="pmj", size="48x32", seeds=4, scenes=SCENES,

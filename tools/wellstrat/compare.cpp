@@ -6,11 +6,11 @@
 #include "compare_run.h"
 #include "errors.h"
 #include "image_files.h"
+#include "image_run.h"
 #include "interrupt.h"
 #include "options.h"
 #include "run_on_ranks.h"
 
-#include "renderer/memory.h"
 #include "renderer/scene_fingerprint.h"
 
 #include <fmt/format.h>
@@ -41,8 +41,7 @@ Examples:
 Exit codes: 0 done, 2 error, 130 interrupted.
 )";
 
-constexpr uint64_t kMostSamples = 1 << 24;
-constexpr uint64_t kMostSeeds = 255; ///< with kMostSamples, less than 2^32 samples in a sum
+constexpr uint64_t kMostSeeds = 255; ///< with kMostMeasuredSamples, less than 2^32 samples in a sum
 
 render::FilmPart readReference(const CompareOptions& options, const std::string& fingerprint,
                                ImageSize size) {
@@ -72,19 +71,12 @@ render::FilmPart readReference(const CompareOptions& options, const std::string&
 void checkMemory(const CompareOptions& options, ImageSize size) {
     const uint64_t images = options.seeds.value_or(1) * options.spp.size();
     const uint64_t pixels = uint64_t{size.width} * size.height;
-    try {
-        render::requireMemory(
-            images * pixels * sizeof(render::PixelSums),
-            fmt::format("{} images of {}x{} pixels", images, size.width, size.height));
-    } catch (const std::runtime_error& error) {
-        throw CliError(fmt::format("{}: {}", options.seeds ? "--seeds" : "--spp", error.what()));
-    }
+    requireMemory(options.seeds ? "--seeds" : "--spp", images * pixels * sizeof(render::PixelSums),
+                  fmt::format("{} images of {}x{} pixels", images, size.width, size.height));
 }
 
 CompareJob prepare(const CompareOptions& options, bool root) {
-    for (const std::string& name : options.generators) {
-        findGenerator("--generators", name, renderGenerators());
-    }
+    for (const std::string& name : options.generators) renderGenerator(name);
     checkSamples(options.scene, "--spp", options.spp.back());
     if (!options.seeds) checkSamples(options.scene, "--reference-spp", referenceSamples(options));
     requireSuffix("--output", options.output, {".html"});
@@ -149,10 +141,10 @@ void addCounts(CLI::App& command, std::vector<uint32_t>& counts) {
         counts.clear();
         for (const std::string& text : texts) {
             uint64_t count = 0;
-            if (!parseNumber(text, {1, kMostSamples}, count)) {
-                throw CLI::ValidationError(
-                    "--spp",
-                    fmt::format("not a whole number from 1 to {}: '{}'", kMostSamples, text));
+            if (!parseNumber(text, {1, kMostMeasuredSamples}, count)) {
+                throw CLI::ValidationError("--spp",
+                                           fmt::format("not a whole number from 1 to {}: '{}'",
+                                                       kMostMeasuredSamples, text));
             }
             counts.push_back(static_cast<uint32_t>(count));
         }
@@ -174,12 +166,8 @@ void addCompare(CLI::App& app, int& exitCode) {
         app.add_subcommand("compare", "Compare generators by the error of their images, as a page");
     const auto options = std::make_shared<CompareOptions>();
     addSceneOptions(*command, options->scene)->required();
-    command
-        ->add_option("--generators", options->generators,
-                     "What is compared: pmj, joint, random [pmj,random]")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("NAME,NAME");
+    addRenderGenerators(*command, options->generators,
+                        "What is compared: pmj, joint, random [pmj,random]");
     addCounts(*command, options->spp);
     CLI::Option* const reference =
         command

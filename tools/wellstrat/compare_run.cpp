@@ -3,12 +3,11 @@
 #include "compare_run.h"
 
 #include "errors.h"
+#include "image_run.h"
 #include "options.h"
-#include "render_run.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -18,37 +17,10 @@ namespace {
 
 constexpr uint64_t kReferenceFactor = 8;
 
-/// Renders images of one generator.
-class GeneratorRun {
-public:
-    GeneratorRun(const CompareOptions& options, const CompareJob& job, const Ranks& ranks,
-                 const std::string& name, uint64_t seed)
-        : ranks_(ranks), name_(name), film_(job.size.width, job.size.height) {
-        SceneOptions scene = options.scene;
-        scene.seed = seed;
-        renderer_ = makeRenderer(scene, *job.scene, job.size,
-                                 findGenerator("--generators", name, renderGenerators()).generator);
-    }
-
-    /// Goes on to `samples` of each pixel. False if it was interrupted.
-    bool render(uint32_t samples) {
-        const auto start = std::chrono::steady_clock::now();
-        const RenderPlan plan{0, samples, {}, {}, fmt::format("{}, {} samples", name_, samples)};
-        const RenderEnd end = runRender(*renderer_, plan, ranks_, film_, {}, {});
-        seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        return end == RenderEnd::finished;
-    }
-
-    const render::Film& film() const { return film_; }
-    double seconds() const { return seconds_; }
-
-private:
-    const Ranks& ranks_;
-    std::string name_;
-    render::Film film_;
-    std::unique_ptr<render::Renderer> renderer_;
-    double seconds_ = 0;
-};
+ImageRun imageOf(const CompareOptions& options, const CompareJob& job, const Ranks& ranks,
+                 const std::string& name, uint64_t seed) {
+    return ImageRun(options.scene, seed, *job.scene, job.size, renderGenerator(name), ranks, name);
+}
 
 /// Renders a reference as two halves of other seeds, whose difference tells its error: halves A and
 /// B are independent and equally wrong, so the RMSE of (A + B) / 2 is half that between A and B.
@@ -59,7 +31,7 @@ bool renderReference(const CompareOptions& options, const CompareJob& job, const
     const uint64_t seeds[2]{options.scene.seed ^ kMaxWord, options.scene.seed ^ (kMaxWord - 1)};
     std::optional<render::Film> first;
     for (const uint64_t seed : seeds) {
-        GeneratorRun run(options, job, ranks, "pmj", seed);
+        ImageRun run = imageOf(options, job, ranks, "pmj", seed);
         if (!run.render(samples)) return false;
         if (!first) {
             first = run.film();
@@ -134,14 +106,14 @@ void measureSpread(const FilmsBySeed& films, const render::Film& mean, ComparedI
 
 /// Renders the images of a generator, films[i][k] with options.spp[i] samples and seed k, and says
 /// how many seconds options.spp[i] samples took. False if it was interrupted.
-bool renderGenerator(const CompareOptions& options, const CompareJob& job, const Ranks& ranks,
-                     const std::string& name, std::vector<FilmsBySeed>& films,
-                     std::vector<double>& seconds) {
+bool renderImages(const CompareOptions& options, const CompareJob& job, const Ranks& ranks,
+                  const std::string& name, std::vector<FilmsBySeed>& films,
+                  std::vector<double>& seconds) {
     films.resize(options.spp.size());
     seconds.resize(options.spp.size());
     const uint64_t seeds = options.seeds.value_or(1);
     for (uint64_t k = 0; k < seeds; ++k) {
-        GeneratorRun run(options, job, ranks, name, options.scene.seed + k);
+        ImageRun run = imageOf(options, job, ranks, name, options.scene.seed + k);
         for (std::size_t i = 0; i < films.size(); ++i) {
             if (!run.render(options.spp[i])) return false;
             films[i].push_back(run.film());
@@ -159,7 +131,7 @@ bool renderComparison(const CompareOptions& options, const CompareJob& job, cons
     for (const std::string& name : options.generators) {
         std::vector<FilmsBySeed> films;
         std::vector<double> seconds;
-        if (!renderGenerator(options, job, ranks, name, films, seconds)) return false;
+        if (!renderImages(options, job, ranks, name, films, seconds)) return false;
         if (!ranks.isRoot()) continue;
         comparison.generators.push_back({name, {}});
         for (std::size_t i = 0; i < films.size(); ++i) {

@@ -4,16 +4,15 @@
 
 #include "commands.h"
 #include "errors.h"
+#include "image_run.h"
 #include "interrupt.h"
 #include "options.h"
 #include "output_file.h"
-#include "render_run.h"
 #include "run_on_ranks.h"
 #include "scene_options.h"
 #include "versions.h"
 
 #include "renderer/domain_error.h"
-#include "renderer/memory.h"
 
 #include <fmt/format.h>
 
@@ -41,7 +40,6 @@ Examples:
 Exit codes: 0 done, 2 error, 130 interrupted.
 )";
 
-constexpr uint64_t kMostSamples = 1 << 24;
 constexpr uint64_t kMostSeeds = 1000;
 
 struct DomainsOptions {
@@ -75,9 +73,7 @@ struct DomainErrors {
 struct Interrupted {};
 
 DomainsJob prepare(const DomainsOptions& options, bool root) {
-    for (const std::string& name : options.generators) {
-        findGenerator("--generators", name, renderGenerators());
-    }
+    for (const std::string& name : options.generators) renderGenerator(name);
     checkSamples(options.scene, "--spp", options.spp);
     DomainsJob job;
     if (options.output) requireSuffix("--output", *options.output, {".json"});
@@ -85,15 +81,11 @@ DomainsJob prepare(const DomainsOptions& options, bool root) {
     job.scene = std::make_unique<render::Scene>(loadScene(options.scene));
     if (root) sayNotes(*job.scene);
     job.size = imageSize(options.scene, *job.scene);
-    try {
-        // Of pmj, of all domains anew, and of one thing at a time.
-        const uint64_t images = 3 * options.seeds;
-        render::requireMemory(
-            images * job.size.width * job.size.height * 3 * sizeof(float),
-            fmt::format("{} images of {}x{} pixels", images, job.size.width, job.size.height));
-    } catch (const std::runtime_error& error) {
-        throw CliError(fmt::format("--seeds: {}", error.what()));
-    }
+    // Of pmj, of all domains anew, and of one thing at a time.
+    const uint64_t images = 3 * options.seeds;
+    requireMemory(
+        "--seeds", images * job.size.width * job.size.height * 3 * sizeof(float),
+        fmt::format("{} images of {}x{} pixels", images, job.size.width, job.size.height));
     job.threads = limitThreads(options.scene);
     return job;
 }
@@ -119,8 +111,7 @@ public:
             add(errors.sum.value, errors.domains.back().value);
         }
         for (const std::string& name : options_.generators) {
-            const Images some =
-                images(name, findGenerator("--generators", name, renderGenerators()).generator);
+            const Images some = images(name, renderGenerator(name));
             errors.generators.push_back(part(name, some, some));
         }
         return errors;
@@ -132,19 +123,10 @@ private:
     Images images(const std::string& what, const Generator* generator) {
         Images all;
         for (uint64_t k = 0; k < options_.seeds; ++k) {
-            SceneOptions scene = options_.scene;
-            scene.seed += k;
-            const auto renderer = makeRenderer(scene, *job_.scene, job_.size, generator);
-            render::Film film(job_.size.width, job_.size.height);
-            const RenderPlan plan{0,
-                                  static_cast<uint32_t>(options_.spp),
-                                  {},
-                                  {},
-                                  fmt::format("{}, seed {}", what, k)};
-            if (runRender(*renderer, plan, ranks_, film, {}, {}) != RenderEnd::finished) {
-                throw Interrupted();
-            }
-            all.push_back(render::colorsOf(film));
+            ImageRun run(options_.scene, options_.scene.seed + k, *job_.scene, job_.size, generator,
+                         ranks_, fmt::format("{}, seed {}", what, k));
+            if (!run.render(static_cast<uint32_t>(options_.spp))) throw Interrupted();
+            all.push_back(render::colorsOf(run.film()));
         }
         return all;
     }
@@ -251,15 +233,12 @@ void addDomains(CLI::App& app, int& exitCode) {
         app.add_subcommand("domains", "Say which sample domains the error of an image comes from");
     const auto options = std::make_shared<DomainsOptions>();
     addSceneOptions(*command, options->scene)->required();
-    addNumber(*command, "--spp", options->spp, {1, kMostSamples}, "Samples of each pixel");
+    addNumber(*command, "--spp", options->spp, {1, kMostMeasuredSamples},
+              "Samples of each pixel [256]");
     addNumber(*command, "--seeds", options->seeds, {2, kMostSeeds},
-              "Images of each kind, with seeds from --seed on");
-    command
-        ->add_option("--generators", options->generators,
-                     "What is compared with the floor: joint, pmj, random [joint]")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->type_name("NAME,NAME");
+              "Images of each kind, with seeds from --seed on [16]");
+    addRenderGenerators(*command, options->generators,
+                        "What is compared with the floor: joint, pmj, random [joint]");
     command->add_option("-o,--output", options->output, "The numbers: FILE.json")
         ->type_name("FILE");
     command->footer(kExamples);

@@ -201,13 +201,17 @@ ImageSize imageSize(const SceneOptions& options, const render::Scene& scene) {
     const ImageSize size = options.size.value_or(
         ImageSize{static_cast<unsigned>(std::clamp(columns, 1.0, double{render::kMaxFilmSize})),
                   kDefaultRows});
-    try {
-        render::requireMemory(render::filmMemory(size.width, size.height),
-                              fmt::format("{}x{} pixels", size.width, size.height));
-    } catch (const std::runtime_error& error) {
-        throw CliError(fmt::format("--size: {}", error.what()));
-    }
+    requireMemory("--size", render::filmMemory(size.width, size.height),
+                  fmt::format("{}x{} pixels", size.width, size.height));
     return size;
+}
+
+void requireMemory(const std::string& option, uint64_t bytes, const std::string& what) {
+    try {
+        render::requireMemory(bytes, what);
+    } catch (const std::runtime_error& error) {
+        throw CliError(fmt::format("{}: {}", option, error.what()));
+    }
 }
 
 const std::vector<NamedGenerator>& renderGenerators() {
@@ -218,6 +222,18 @@ const std::vector<NamedGenerator>& renderGenerators() {
         return all;
     }();
     return generators;
+}
+
+CLI::Option* addRenderGenerators(CLI::App& command, std::vector<std::string>& names,
+                                 const std::string& description) {
+    return command.add_option("--generators", names, description)
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("NAME,NAME");
+}
+
+const Generator* renderGenerator(const std::string& name) {
+    return findGenerator("--generators", name, renderGenerators()).generator;
 }
 
 std::unique_ptr<render::Renderer> makeRenderer(const SceneOptions& options,

@@ -52,9 +52,19 @@ render::Scene loadScene(const SceneOptions& options);
 /// fit into memory.
 ImageSize imageSize(const SceneOptions& options, const render::Scene& scene);
 
+/// Throws CliError, which names `option`, if the machine has not so many bytes for `what`.
+void requireMemory(const std::string& option, uint64_t bytes, const std::string& what);
+
 /// What samples of the renderer's domains may come from: the generators of other commands, and
 /// those that need marked domains.
 const std::vector<NamedGenerator>& renderGenerators();
+
+/// Adds --generators, a list of their names. `names` must outlive `command`.
+CLI::Option* addRenderGenerators(CLI::App& command, std::vector<std::string>& names,
+                                 const std::string& description);
+
+/// The one of --generators that is called `name`, as makeRenderer takes it. Throws CliError.
+const Generator* renderGenerator(const std::string& name);
 
 /// What renders the scene; `generator` is null for the tables. Throws CliError.
 std::unique_ptr<render::Renderer> makeRenderer(const SceneOptions& options,
