@@ -16,6 +16,7 @@
 #include <cstddef>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// xis[i] = the sample of contexts[i], for i in [0, n): sample1D, sample2D, sample3D.
 WELLSTRAT_API void drawSamples1D(std::size_t n, const SampleCtx* contexts, float* xis);
@@ -38,4 +39,5 @@ WELLSTRAT_API void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scra
 /// xis[i] = HashToRandom(contexts[i].patternid, contexts[i].sampleid), for i in [0, n).
 WELLSTRAT_API void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis);
 
+} // namespace stream1
 } // namespace wellstrat

@@ -8,6 +8,7 @@
 #include "wellstrat/platform.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The name of the index-th target that this processor can run, best first, or null beyond the
 /// last. The last is "scalar". A static string.
@@ -20,4 +21,5 @@ WELLSTRAT_API const char* chosenBatchTarget();
 /// processor has none of that name.
 WELLSTRAT_API bool forceBatchTarget(const char* name);
 
+} // namespace stream1
 } // namespace wellstrat

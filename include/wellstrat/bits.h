@@ -9,6 +9,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The bits of `x` in opposite order: bit 0 becomes bit 31. As a fraction of 2^32, the radical
 /// inverse of `x` in base 2.
@@ -67,4 +68,5 @@ WELLSTRAT_HOST_DEVICE constexpr float toUnitFloat(uint32_t v) {
     return static_cast<float>(v >> 8) * 0x1p-24f;
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 namespace detail {
 
@@ -36,4 +37,5 @@ WELLSTRAT_HOST_DEVICE constexpr SampleCtx cameraContext(int x, int y, unsigned f
     return {permuteBits(pixel, permutationKey(frame ^ detail::kCameraKey)), sampleid};
 }
 
+} // namespace stream1
 } // namespace wellstrat

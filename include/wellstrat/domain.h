@@ -13,6 +13,7 @@
 #include <type_traits>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 namespace detail {
 
@@ -68,4 +69,5 @@ static_assert(sizeof(SampleCtx) == 8 && std::is_trivially_copyable<SampleCtx>::v
                   std::is_trivially_default_constructible<SampleCtx>::value,
               "renderers keep one per shading point and copy it as bytes");
 
+} // namespace stream1
 } // namespace wellstrat

@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// A generator to debug an integrator with. Set it on the camera RixRNG; it passes on the samples
 /// of the generator that it wraps, bit for bit, and records which domains are drawn:
@@ -76,4 +77,5 @@ private:
     const std::unique_ptr<State> state_;
 };
 
+} // namespace stream1
 } // namespace wellstrat

@@ -9,6 +9,7 @@
 #include "wellstrat/vector.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Maps sample contexts to samples in [0, 1), [0, 1)^2 and [0, 1)^3. A RixRNG that has a generator
 /// asks it for every draw; without one, draws come from the tables with no virtual call.
@@ -36,4 +37,5 @@ public:
     virtual const Generator* ForChild(Scramble scramble, unsigned split) const;
 };
 
+} // namespace stream1
 } // namespace wellstrat

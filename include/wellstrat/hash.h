@@ -12,6 +12,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 namespace detail {
 
@@ -75,4 +76,5 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t hashPair(uint32_t a, uint32_t b) {
     return mixBits(permuteBits(b, permutationKey(a)) + b);
 }
 
+} // namespace stream1
 } // namespace wellstrat

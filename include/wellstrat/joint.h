@@ -25,6 +25,7 @@
 #include <cstddef>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 namespace detail {
 constexpr unsigned kJointScramble = 0x6a6f696eu; // "join"
@@ -91,4 +92,5 @@ WELLSTRAT_API void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, 
 WELLSTRAT_API void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, unsigned slot,
                                       unsigned split, Float3* xis);
 
+} // namespace stream1
 } // namespace wellstrat

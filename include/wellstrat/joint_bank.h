@@ -7,6 +7,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Row d is the matrix U_d over GF(2) of slot d, given by its columns: column k is what bit k of an
 /// index contributes to the place of the sample, bit r of a column being row r. Upper triangular
@@ -30,4 +31,5 @@ inline constexpr uint16_t kJointBank[16][12] = {
     {0x001, 0x002, 0x006, 0x00d, 0x013, 0x03c, 0x078, 0x08b, 0x11b, 0x395, 0x605, 0xe16},
 };
 
+} // namespace stream1
 } // namespace wellstrat

@@ -25,6 +25,7 @@
 #include "wellstrat/lookup.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// How many slots there are, and the most branches in all that a slot may have.
 constexpr unsigned kJointSlots = 16;
@@ -126,4 +127,5 @@ inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t 
     return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
 }
 
+} // namespace stream1
 } // namespace wellstrat

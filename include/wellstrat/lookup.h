@@ -21,6 +21,7 @@
 #include "wellstrat/vector.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// What a lookup needs of a pattern: a well-mixed word. All else is this word times a constant.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t patternSeed(uint32_t patternid) {
@@ -161,4 +162,5 @@ inline Float3 sample3D(uint32_t patternid, uint32_t sampleid) {
     return sample3D(tables(), patternid, sampleid);
 }
 
+} // namespace stream1
 } // namespace wellstrat

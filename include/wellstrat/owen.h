@@ -21,6 +21,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The hashed bits of nodes 32 * word to 32 * word + 31, node's bit n at n % 32.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t owenNodeBits(uint32_t seed, uint32_t word) {
@@ -42,4 +43,5 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t owenScramble(uint32_t value, uint32_t s
     return value ^ flips;
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -11,6 +11,7 @@
 #include "wellstrat/vector.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The key that gives x and y patterns of their own in `randomBits`.
 WELLSTRAT_HOST_DEVICE constexpr PermutationKey randomKey(Coordinate coordinate) {
@@ -40,4 +41,5 @@ WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float3 randomSample3D(uint32_t p
     return {xy.x, xy.y, randomSample1D(patternid, sampleid)};
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -8,6 +8,7 @@
 #include "wellstrat/random.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Independent uniform samples, a pure function of the context: one hash for each coordinate.
 /// Sample1D is HashToRandom(patternid, sampleid). Stateless; safe in any thread.
@@ -24,4 +25,5 @@ public:
     }
 };
 
+} // namespace stream1
 } // namespace wellstrat

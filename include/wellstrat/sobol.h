@@ -13,6 +13,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 constexpr unsigned kSobolDimensions = 3;
 
@@ -63,4 +64,5 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t pascalTimes(uint32_t index) {
     return index ^ (index >> 16);
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -33,6 +33,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 constexpr unsigned kTableCount = 384;
 constexpr unsigned kTableSizeLog2 = 12;
@@ -107,4 +108,5 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t tableSeed(unsigned table, Coordinate co
     return hashPair(0xbaa6bad2u, table * 4 + static_cast<unsigned>(coordinate));
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -20,6 +20,7 @@
 #endif
 
 namespace wellstrat {
+inline namespace stream1 {
 
 namespace detail {
 
@@ -137,4 +138,5 @@ WELLSTRAT_HOST_DEVICE inline void Float3::CreateOrthonormalBasis(Float3& u, Floa
     v = {b, sign + y * y * a, -y};
 }
 
+} // namespace stream1
 } // namespace wellstrat

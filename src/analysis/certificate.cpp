@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 constexpr unsigned kBlocks = kStratifiedSamples / kTableSize;
@@ -265,4 +266,5 @@ std::vector<CertificateLine> certifyPatterns(unsigned count, uint32_t seed,
     return checker.lines();
 }
 
+} // namespace stream1
 } // namespace wellstrat

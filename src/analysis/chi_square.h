@@ -8,6 +8,7 @@
 #include <limits>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The probabilities of values below and above one; they add up to 1, and the smaller one is
 /// accurate in relation to its size.
@@ -43,4 +44,5 @@ inline Tails chiSquareTails(double chiSquare, double degrees) {
     return {1 - scale * sum, scale * sum};
 }
 
+} // namespace stream1
 } // namespace wellstrat

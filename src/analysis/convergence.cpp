@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -159,4 +160,5 @@ SlopeFit fitSlope(const std::vector<uint32_t>& counts, const std::vector<double>
     return {slope, std::sqrt(std::fmax(0, yy - slope * xy) / (points - 2) / xx), points};
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 constexpr int kFractionBits = 192;
@@ -61,4 +62,5 @@ double ExactSum::value() const {
     return negative ? -sum : sum;
 }
 
+} // namespace stream1
 } // namespace wellstrat

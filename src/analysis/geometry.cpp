@@ -10,6 +10,7 @@
 #include <string>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -112,4 +113,5 @@ double usualPairRange(std::size_t count, unsigned dims) {
     return std::min(0.5, 6 * std::pow(static_cast<double>(count), -1.0 / dims));
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -5,6 +5,7 @@
 #include <cmath>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 double halfSpaceVolume(const std::vector<double>& weights, double bound) {
     std::vector<double> positive;
@@ -29,4 +30,5 @@ double halfSpaceVolume(const std::vector<double>& weights, double bound) {
     return sum / scale;
 }
 
+} // namespace stream1
 } // namespace wellstrat

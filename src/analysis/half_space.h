@@ -7,6 +7,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The volume of { x in [0,1]^s : weights . x < bound }, s = weights.size() at most 8.
 ///
@@ -18,4 +19,5 @@ namespace wellstrat {
 /// are left out, and negative ones are made positive by x -> 1 - x.
 double halfSpaceVolume(const std::vector<double>& weights, double bound);
 
+} // namespace stream1
 } // namespace wellstrat

@@ -10,6 +10,7 @@
 #include <utility>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 /// A coordinate of a stream, made ready for all its pairs.
@@ -184,4 +185,5 @@ unsigned usualGridSide(std::size_t count) {
     return side;
 }
 
+} // namespace stream1
 } // namespace wellstrat

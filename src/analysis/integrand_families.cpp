@@ -11,6 +11,7 @@
 #include <utility>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -222,4 +223,5 @@ const std::vector<IntegrandRecipe>& integrandRecipes() {
     return recipes;
 }
 
+} // namespace stream1
 } // namespace wellstrat

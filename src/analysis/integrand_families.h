@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// A function and its integral.
 struct IntegrandShape {
@@ -25,4 +26,5 @@ struct IntegrandRecipe {
 /// All of them, in the order in which they are listed.
 const std::vector<IntegrandRecipe>& integrandRecipes();
 
+} // namespace stream1
 } // namespace wellstrat

@@ -10,6 +10,7 @@
 #include <utility>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 [[noreturn]] void reject(const std::string& name, const std::string& reason) {
@@ -151,4 +152,5 @@ std::vector<IntegrandGroup> integrandGroups() {
     return groups;
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 class KineticTournament {
 public:
@@ -103,4 +104,5 @@ private:
     std::vector<Node> nodes_;
 };
 
+} // namespace stream1
 } // namespace wellstrat

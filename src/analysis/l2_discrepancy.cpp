@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 struct StarKernel {
@@ -194,4 +195,5 @@ double l2Discrepancy(const UnitPoints& points, L2Kind kind) {
     throw PointError("there is no such kind of L2 discrepancy");
 }
 
+} // namespace stream1
 } // namespace wellstrat

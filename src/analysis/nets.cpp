@@ -6,6 +6,7 @@
 #include <array>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 unsigned digitBits(NetBase base) { return base == NetBase::four ? 2 : 1; }
@@ -183,4 +184,5 @@ unsigned tValueOfSequence(const PointSet& points) {
     });
 }
 
+} // namespace stream1
 } // namespace wellstrat

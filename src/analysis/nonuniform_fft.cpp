@@ -13,6 +13,7 @@
 #include <new>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -128,4 +129,5 @@ std::vector<std::complex<double>> planeSums(const UnitPoints& points, int maxFre
     return sums;
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -13,9 +13,11 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// sum_j exp(-2 pi i f.x_j) for fx in [-maxFrequency, maxFrequency] and fy in [0, maxFrequency],
 /// fx fastest.
 std::vector<std::complex<double>> planeSums(const UnitPoints& points, int maxFrequency);
 
+} // namespace stream1
 } // namespace wellstrat

@@ -10,6 +10,7 @@
 #include <string>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 template <class Error>
 void checkDimensions(std::size_t dims, unsigned most) {
@@ -34,4 +35,5 @@ void checkValue(double value, std::size_t point, unsigned dim) {
                 " is " + text + "; accepted are values in [0, 1)");
 }
 
+} // namespace stream1
 } // namespace wellstrat

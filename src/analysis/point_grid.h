@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 class PointGrid {
 public:
@@ -101,4 +102,5 @@ private:
     std::vector<std::size_t> members_; ///< points, cell after cell
 };
 
+} // namespace stream1
 } // namespace wellstrat

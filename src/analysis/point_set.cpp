@@ -7,6 +7,7 @@
 #include <algorithm>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 unsigned log2Floor(std::size_t n) {
@@ -84,4 +85,5 @@ PointSet PointSet::block(std::size_t first, std::size_t count) const {
     return set;
 }
 
+} // namespace stream1
 } // namespace wellstrat

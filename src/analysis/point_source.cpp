@@ -16,6 +16,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 /// The seed of a domain of a pattern, for generators that have no domains of their own.
@@ -257,4 +258,5 @@ PointSourcePtr haltonSource() { return std::make_unique<HaltonSource>(); }
 
 PointSourcePtr jitteredSource() { return std::make_unique<JitteredSource>(); }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -9,6 +9,7 @@
 #include <string>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 /// Calls visit(fx, fy) once for each pair of opposite frequencies, 0 apart.
@@ -87,4 +88,5 @@ SpectralPeak highestPeak(const Periodogram& periodogram) {
     return peak;
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -9,6 +9,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 double exactLine(const UnitPoints& points) {
@@ -187,4 +188,5 @@ StarBounds starDiscrepancy(const UnitPoints& points, std::size_t maxSweeps) {
                      std::to_string(kMaxStarDimensions));
 }
 
+} // namespace stream1
 } // namespace wellstrat

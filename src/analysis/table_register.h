@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// x, y and z as fractions of 2^32.
 using PointBits = std::array<uint32_t, 3>;
@@ -56,4 +57,5 @@ private:
     std::unordered_map<uint64_t, unsigned> tables_;
 };
 
+} // namespace stream1
 } // namespace wellstrat

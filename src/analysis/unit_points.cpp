@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 UnitPoints::UnitPoints(const double* values, std::size_t count, unsigned dims) {
     checkDimensions<PointError>(dims, kMaxDimensions);
@@ -33,4 +34,5 @@ UnitPoints UnitPoints::projection(const std::vector<unsigned>& dims) const {
     return UnitPoints(std::move(chosen));
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -10,6 +10,7 @@
 #include <cstring>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 using batch::Kernels;
@@ -112,4 +113,5 @@ void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
     if (n > 0) kernels().hashToRandom(n, contexts, xis);
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -6,6 +6,7 @@
 #include "wellstrat/batch.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// One of each kind: a domain's generator holds nothing else.
 class JointProgressive::Children {
@@ -76,4 +77,5 @@ const Generator* JointProgressive::ForChild(Scramble scramble, unsigned split) c
     return detail::watchedChild(*this, child, scramble, split);
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -6,6 +6,7 @@
 #include "wellstrat/sobol.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 /// U_d or P U_d times the index, column by column.
@@ -71,4 +72,5 @@ constexpr JointDigits kJointDigits[kJointSlots] = {
     makeDigits(12), makeDigits(13), makeDigits(14), makeDigits(15)};
 } // namespace batch
 
+} // namespace stream1
 } // namespace wellstrat

@@ -7,6 +7,7 @@
 #include "wellstrat/joint_lookup.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace batch {
 
 /// What each digit of an index contributes to its place by exclusive or, for one slot: to U_d i and
@@ -21,4 +22,5 @@ struct JointDigits {
 extern const JointDigits kJointDigits[kJointSlots];
 
 } // namespace batch
+} // namespace stream1
 } // namespace wellstrat

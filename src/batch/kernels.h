@@ -8,6 +8,7 @@
 #include "wellstrat/tables.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace batch {
 
 /// n >= 1 in all. The draws add `step`, 0 or 1, to each sampleid after its draw; with 0 the
@@ -41,4 +42,5 @@ extern const Kernels kScalarKernels;
 const Kernels* const* vectorKernels();
 
 } // namespace batch
+} // namespace stream1
 } // namespace wellstrat

@@ -7,6 +7,7 @@
 #include "wellstrat/lookup.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace batch {
 namespace {
 
@@ -66,4 +67,5 @@ const Kernels kScalarKernels = {
 };
 
 } // namespace batch
+} // namespace stream1
 } // namespace wellstrat

@@ -26,6 +26,7 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 HWY_BEFORE_NAMESPACE();
 namespace wellstrat {
+inline namespace stream1 {
 namespace batch {
 namespace HWY_NAMESPACE {
 namespace {
@@ -481,6 +482,7 @@ const Kernels kKernels = {
 
 } // namespace HWY_NAMESPACE
 } // namespace batch
+} // namespace stream1
 } // namespace wellstrat
 HWY_AFTER_NAMESPACE();
 #endif
@@ -488,6 +490,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace batch {
 
 // Highway's own dispatch needs its shared library for the question which targets the processor has.
@@ -528,6 +531,7 @@ const Kernels* const* vectorKernels() {
 }
 
 } // namespace batch
+} // namespace stream1
 } // namespace wellstrat
 
 #endif

@@ -3,6 +3,7 @@
 #include "wellstrat/generator.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 Generator::~Generator() = default;
 
@@ -22,4 +23,5 @@ const Generator* Generator::ForChild(Scramble /*scramble*/, unsigned /*split*/) 
     return this;
 }
 
+} // namespace stream1
 } // namespace wellstrat

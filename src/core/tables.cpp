@@ -9,6 +9,7 @@
 #include <memory>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 /// The stratum, of 4096, in which each Sobol' point lies before scrambling; points in the order in
@@ -143,4 +144,5 @@ uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate) {
 
 std::size_t tableBytes() { return std::size_t{2} * kTablePoints * sizeof(uint32_t); }
 
+} // namespace stream1
 } // namespace wellstrat

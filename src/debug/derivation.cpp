@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 namespace {
 
@@ -93,4 +93,4 @@ const Derivation& Derivations::child(const Derivation& parent, Scramble scramble
     return made;
 }
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

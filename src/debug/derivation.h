@@ -16,7 +16,7 @@
 #include <string>
 #include <tuple>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 /// The pattern of which derivePattern(., scramble) is `patternid`.
 unsigned parentPattern(unsigned patternid, Scramble scramble);
@@ -69,4 +69,4 @@ private:
     std::map<std::tuple<std::size_t, Scramble, unsigned>, std::size_t> numbers_;
 };
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

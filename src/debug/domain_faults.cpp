@@ -6,7 +6,7 @@
 
 #include "debug/fault_search.h"
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord& record) {
     Uses uses;
@@ -27,4 +27,4 @@ std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord
     return findings.sorted();
 }
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

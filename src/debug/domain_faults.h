@@ -9,10 +9,10 @@
 
 #include <vector>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 /// All faults in a record, sorted by kind and message.
 std::vector<DomainLinter::Finding> findFaults(const Derivations& derivations,
                                               const DrawRecord& record);
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

@@ -13,6 +13,7 @@
 #include <mutex>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The generator of one domain: its derivation, and what makes its samples.
 class DomainLinter::Domain final : public Generator {
@@ -158,4 +159,5 @@ std::string DomainLinter::report() const {
 
 void DomainLinter::clear() { state_->clear(); }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -10,7 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 /// How often (x, y) and z of a sample were drawn. A 3D draw takes both.
 struct DrawCounts {
@@ -58,4 +58,4 @@ private:
     uint64_t draws_ = 0;
 };
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

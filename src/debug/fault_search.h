@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 using Fault = DomainLinter::Fault;
 using Finding = DomainLinter::Finding;
@@ -108,4 +108,4 @@ void findSplits(Uses& uses, Findings& findings);
 void findDrawnTwice(const Uses& uses, Findings& findings);
 void findSharedPatterns(const Uses& uses, Findings& findings);
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

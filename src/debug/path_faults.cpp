@@ -8,7 +8,7 @@
 
 #include <set>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 namespace {
 
@@ -106,4 +106,4 @@ void findSlots(const Uses& uses, Findings& findings) {
     });
 }
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

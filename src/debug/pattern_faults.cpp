@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 namespace {
 
@@ -149,4 +149,4 @@ void findSharedPatterns(const Uses& uses, Findings& findings) {
     SharedPatterns(uses).find(findings);
 }
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

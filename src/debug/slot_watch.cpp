@@ -13,7 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 namespace {
 
@@ -136,6 +136,6 @@ void watchDraws(const JointProgressive& generator, unsigned n, const SampleCtx& 
 
 void endWatch(const JointProgressive& generator) { Watch::get().end(generator); }
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail
 
 #endif

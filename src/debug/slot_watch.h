@@ -7,7 +7,7 @@
 
 #include "wellstrat/joint.h"
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 #ifdef NDEBUG
 
@@ -37,4 +37,4 @@ void endWatch(const JointProgressive& generator);
 
 #endif
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

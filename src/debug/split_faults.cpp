@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace wellstrat::detail {
+namespace wellstrat::stream1::detail {
 
 namespace {
 
@@ -98,4 +98,4 @@ private:
 
 void findSplits(Uses& uses, Findings& findings) { Splits(uses, findings).find(); }
 
-} // namespace wellstrat::detail
+} // namespace wellstrat::stream1::detail

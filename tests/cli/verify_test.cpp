@@ -13,6 +13,7 @@
 #include <string>
 
 namespace wellstrat {
+inline namespace stream1 {
 namespace {
 
 CertificateLine tablesLine, patternsLine;
@@ -65,4 +66,5 @@ TEST(Verify, NoViolationIsExitCodeZero) {
 }
 
 } // namespace
+} // namespace stream1
 } // namespace wellstrat

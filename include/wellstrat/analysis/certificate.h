@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// One promise and what its check found.
 struct CertificateLine {
@@ -47,4 +48,5 @@ WELLSTRAT_API std::vector<CertificateLine> certifyTables(unsigned first, unsigne
 WELLSTRAT_API std::vector<CertificateLine>
 certifyPatterns(unsigned count, uint32_t seed = 1, const CertificateProgress& progress = {});
 
+} // namespace stream1
 } // namespace wellstrat

@@ -23,6 +23,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Sums over patterns of the powers of (mean of the integrand over N points - its integral).
 struct ErrorSums {
@@ -68,4 +69,5 @@ struct SlopeFit {
 WELLSTRAT_API SlopeFit fitSlope(const std::vector<uint32_t>& counts,
                                 const std::vector<double>& rmse, uint32_t firstCount);
 
+} // namespace stream1
 } // namespace wellstrat

@@ -14,6 +14,7 @@
 #include <cstddef>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Families of boxes of L2 discrepancies. Except for the first, each also takes the mean over all
 /// projections of the points.
@@ -59,4 +60,5 @@ constexpr unsigned kMaxStarDimensions = 3;
 /// narrower bound.
 WELLSTRAT_API StarBounds starDiscrepancy(const UnitPoints& points, std::size_t maxSweeps = 1024);
 
+} // namespace stream1
 } // namespace wellstrat

@@ -15,6 +15,7 @@
 #include <cstdint>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// A number of 256 bits in two's complement, in units of 2^-192. 32 bytes, trivially copyable.
 class WELLSTRAT_API ExactSum {
@@ -41,4 +42,5 @@ private:
     std::array<uint64_t, 4> words_{};
 };
 
+} // namespace stream1
 } // namespace wellstrat

@@ -11,6 +11,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// What lies beyond the border of the cube: nothing, or the opposite side.
 enum class Topology { cube, torus };
@@ -52,4 +53,5 @@ WELLSTRAT_API PairCorrelation pairCorrelation(const UnitPoints& points, double r
 /// 1/2.
 WELLSTRAT_API double usualPairRange(std::size_t count, unsigned dims);
 
+} // namespace stream1
 } // namespace wellstrat

@@ -27,6 +27,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 struct SampleStream {
     std::string name;
@@ -67,4 +68,5 @@ WELLSTRAT_API IndependenceReport testIndependence(const std::vector<SampleStream
 /// The largest power of two from 2 to 32 that leaves eight points or more a cell, or else 2.
 WELLSTRAT_API unsigned usualGridSide(std::size_t count);
 
+} // namespace stream1
 } // namespace wellstrat

@@ -20,6 +20,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The dimensions, each 1, 2 or 3, of the domains that a sample draws from: {2} is one 2D draw,
 /// {2, 1} a 2D draw and a 1D draw from another domain.
@@ -64,4 +65,5 @@ struct IntegrandGroup {
 };
 WELLSTRAT_API std::vector<IntegrandGroup> integrandGroups();
 
+} // namespace stream1
 } // namespace wellstrat

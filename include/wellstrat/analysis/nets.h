@@ -23,6 +23,7 @@
 #include <string>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The base of a net: how many parts an interval is split into at a time.
 enum class NetBase : unsigned { two = 2, four = 4 };
@@ -58,4 +59,5 @@ WELLSTRAT_API unsigned tValue(const PointSet& points);
 /// The smallest t for which `checkSequence` holds in base 2.
 WELLSTRAT_API unsigned tValueOfSequence(const PointSet& points);
 
+} // namespace stream1
 } // namespace wellstrat

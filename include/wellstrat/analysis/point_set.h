@@ -13,6 +13,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Thrown for input that is no point set of a net; what() says which value is wrong and what is
 /// accepted.
@@ -60,4 +61,5 @@ private:
     std::vector<std::vector<uint32_t>> coordinates_;
 };
 
+} // namespace stream1
 } // namespace wellstrat

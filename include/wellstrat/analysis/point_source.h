@@ -23,6 +23,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// A family of randomized point sequences, or of point sets. Immutable; all functions may be called
 /// in several threads at once.
@@ -69,4 +70,5 @@ WELLSTRAT_API PointSourcePtr haltonSource();
 /// slab as wide as its share of the points, and each slab again along the next axis.
 WELLSTRAT_API PointSourcePtr jitteredSource();
 
+} // namespace stream1
 } // namespace wellstrat

@@ -19,6 +19,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// The mean power of realizations, such as the patterns of one generator, for frequencies with
 /// components up to maxFrequency(). One thread at a time may add; any number may read.
@@ -82,4 +83,5 @@ struct SpectralPeak {
 /// The frequency other than 0 with the most power.
 WELLSTRAT_API SpectralPeak highestPeak(const Periodogram& periodogram);
 
+} // namespace stream1
 } // namespace wellstrat

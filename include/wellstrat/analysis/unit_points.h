@@ -12,6 +12,7 @@
 #include <vector>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Thrown for input that is no point set; what() says which value is wrong and what is accepted.
 class WELLSTRAT_API PointError : public std::invalid_argument {
@@ -45,4 +46,5 @@ private:
     std::vector<std::vector<double>> coordinates_;
 };
 
+} // namespace stream1
 } // namespace wellstrat

@@ -9,6 +9,7 @@
 #include <cmath>
 
 namespace wellstrat {
+inline namespace stream1 {
 
 namespace detail {
 
@@ -41,4 +42,5 @@ WELLSTRAT_HOST_DEVICE inline float azimuthTurn(float x, float y) {
 
 } // namespace detail
 
+} // namespace stream1
 } // namespace wellstrat

@@ -10,6 +10,7 @@
 #include "wellstrat/warp/angle.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 namespace detail {
 
@@ -52,4 +53,5 @@ WELLSTRAT_HOST_DEVICE inline Float3 squareToSphere(Float2 xi) { return squareToC
 WELLSTRAT_HOST_DEVICE inline Float2 sphereToSquare(Float3 d) { return coneToSquare(d, -1.0f); }
 WELLSTRAT_HOST_DEVICE constexpr float spherePdf() { return detail::kInvFourPi; }
 
+} // namespace stream1
 } // namespace wellstrat

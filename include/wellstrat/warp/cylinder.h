@@ -7,6 +7,7 @@
 #include "wellstrat/warp/angle.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// A point with x^2 + y^2 = 1 and z in [0, 1): height xi.x, azimuth xi.y. Scaling x and y by a
 /// radius and z by a height keeps areas equal; the density is then divided by both.
@@ -22,4 +23,5 @@ WELLSTRAT_HOST_DEVICE inline Float2 cylinderToSquare(Float3 p) {
 /// Per unit area.
 WELLSTRAT_HOST_DEVICE constexpr float cylinderPdf() { return detail::kInvTwoPi; }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -8,6 +8,7 @@
 #include "wellstrat/warp/angle.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Per unit area, for both maps.
 WELLSTRAT_HOST_DEVICE constexpr float diskPdf() { return detail::kInvPi; }
@@ -71,4 +72,5 @@ WELLSTRAT_HOST_DEVICE inline Float2 diskToSquareConcentric(Float2 p) {
     return alongX ? Float2(larger, smaller) : Float2(smaller, larger);
 }
 
+} // namespace stream1
 } // namespace wellstrat

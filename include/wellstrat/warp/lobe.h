@@ -9,6 +9,7 @@
 #include "wellstrat/warp/disk.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// A direction with z in [2^-12, 1], with probability proportional to z: the point of the
 /// concentric disk, lifted to the hemisphere (Malley's method; Pharr, Jakob and Humphreys,
@@ -125,4 +126,5 @@ WELLSTRAT_HOST_DEVICE inline float ggxVisibleNormalPdf(Float3 m, Float3 view, fl
     return d * cosine * 2.0f / (view.z + v.Length());
 }
 
+} // namespace stream1
 } // namespace wellstrat

@@ -7,6 +7,7 @@
 #include "wellstrat/warp/angle.h"
 
 namespace wellstrat {
+inline namespace stream1 {
 
 /// Barycentric coordinates: the weights of the first two corners; that of the third is 1 - x - y.
 /// All are at least 0. Folds the square onto the triangle with low distortion, without a square
@@ -36,4 +37,5 @@ WELLSTRAT_HOST_DEVICE inline float trianglePdf(Float3 a, Float3 b, Float3 c) {
     return 2.0f / Cross(b - a, c - a).Length();
 }
 
+} // namespace stream1
 } // namespace wellstrat
