@@ -17,20 +17,35 @@
 #include "RiTypesHelper.h"
 #include "RixRNGInline.h"
 #include "RixRNGProgressive.h"
+#include "wellstrat/array_argument.h"
+#include "wellstrat/few_points.h"
 #include "wellstrat/generator.h"
 
-/// A view of `numPts` sample contexts that somebody else owns, and of the generator, if any, that
-/// makes their samples. Small; copy it freely. The arrays and the generator must outlive it.
+#include <cassert>
+#include <type_traits>
+#include <utility>
+
+/// A view of `numPts` sample contexts that somebody else owns, of the order of their domain, and of
+/// the generator, if any, that makes their samples. Small; copy it freely. The arrays and the
+/// generator must outlive it.
 ///
-/// Points are numbered from 0; an index i must be below numPts, a count n at most numPts: neither
-/// is checked. A batch of 0 points is valid. Nothing here allocates or throws, but the first RixRNG
-/// of a process builds the tables (see wellstrat::buildTables). One object must not be used
-/// by two threads at once if one of them generates; different objects over different arrays may.
+/// Points are numbered from 0. An index i must be below numPts, a count n at most numPts: asserted
+/// where the caller is built without NDEBUG. Arrays are given by a pointer, which is not checked,
+/// or as an array or a container with data() and size(); one of these that is too small ends the
+/// program with a line that says so, before anything is written. A batch of 0 points is valid.
+///
+/// Nothing here allocates or throws, but the first RixRNG of a process builds the tables (see
+/// wellstrat::buildTables), and a generator may do as it likes. One object must not be used by two
+/// threads at once if one of them generates; different objects over different arrays may.
 class RixRNG {
+    template <class T>
+    using Array = wellstrat::ArrayArgument<T>;
+
 public:
     using Scramble = wellstrat::Scramble;
     using SampleCtx = wellstrat::SampleCtx;
     using Generator = wellstrat::Generator;
+    using Order = wellstrat::Order;
 
     /// Tags of the deriving constructors.
     struct Distrib {
@@ -43,59 +58,91 @@ public:
     SampleCtx* sampleCtxArray; ///< not owned
     unsigned numPts;
     const Generator* generator; ///< not owned; null: the tables
+    Order order;                ///< of the domain that the contexts belong to
 
-    /// A view of contexts that may be filled in before or after.
-    RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen = nullptr)
-        : sampleCtxArray(contexts), numPts(numPoints), generator(gen) {
+    /// A view of a camera's contexts, that may be filled in before or after.
+    RixRNG(Array<SampleCtx> contexts, unsigned numPoints, const Generator* gen = nullptr)
+        : RixRNG(contexts.first(numPoints, "RixRNG"), numPoints, gen, Order{}) {
         wellstrat::tables();
     }
 
-    /// The same with the parent's generator. The contexts are left as they are, for when the points
-    /// differ from the parent's in number or order. They should be of the parent's domain: a new
-    /// domain may have another generator, which `Generator::ForChild` tells.
-    RixRNG(const RixRNG& parent, SampleCtx* contexts, unsigned numPoints)
-        : RixRNG(contexts, numPoints, parent.generator) {}
+    /// A view of contexts that may be filled in before or after, for the parent's generator. They
+    /// may be any contexts, such as new domains of some of the parent's points, so the order is the
+    /// root order: what the parent's order has to give is lost. Contexts of the parent's own slot
+    /// (wellstrat/joint.h) draw padded samples of the same pattern through such a view. To keep the
+    /// order, derive: see the constructors with indices.
+    RixRNG(const RixRNG& parent, Array<SampleCtx> contexts, unsigned numPoints)
+        : RixRNG(contexts.first(numPoints, "RixRNG"), numPoints, parent.generator,
+                 parent.viewOrder()) {}
+
+    /// The parent's own domain at some of its points, in any order: contexts[k] is a copy of the
+    /// context of point indices[k], for k in [0, n). Each index is below parent.numPts; an index
+    /// may occur again. `contexts` may be the parent's own array if the indices increase. The
+    /// parent stays as it is.
+    RixRNG(const RixRNG& parent, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts)
+        : RixRNG(contexts.first(n, "RixRNG"), n, parent.generator, parent.order) {
+        copyFrom(parent, indices.first(n, "RixRNG"));
+    }
 
     /// New domains of all the parent's points, in the same order, written to contexts[0, numPts).
     /// `contexts` may be the parent's own array.
-    RixRNG(const RixRNG& parent, Scramble scramble, SampleCtx* contexts)
-        : RixRNG(contexts, parent.numPts, childGenerator(parent, scramble, 1)) {
-        parent.NewDomains(scramble, contexts);
+    RixRNG(const RixRNG& parent, Scramble scramble, Array<SampleCtx> contexts)
+        : RixRNG(parent, scramble, contexts, Split{1}) {}
+    RixRNG(const RixRNG& parent, Scramble scramble, Array<SampleCtx> contexts, Distrib distrib)
+        : RixRNG(contexts.first(parent.numPts, "RixRNG"), parent.numPts, parent.generator,
+                 parent.childOrder(scramble, 0)) {
+        parent.derive(parent.numPts, parent.sampleCtxArray, scramble, distrib, sampleCtxArray);
     }
-    RixRNG(const RixRNG& parent, Scramble scramble, SampleCtx* contexts, Distrib distrib)
-        : RixRNG(contexts, parent.numPts, childGenerator(parent, scramble, 0)) {
-        parent.NewDomainsDistrib(scramble, distrib.newsampleid, contexts);
+    RixRNG(const RixRNG& parent, Scramble scramble, Array<SampleCtx> contexts, Split split)
+        : RixRNG(contexts.first(parent.numPts, "RixRNG"), parent.numPts, parent.generator,
+                 parent.childOrder(scramble, split.newnumsamples)) {
+        parent.derive(parent.numPts, parent.sampleCtxArray, scramble, split, sampleCtxArray);
     }
-    RixRNG(const RixRNG& parent, Scramble scramble, SampleCtx* contexts, Split split)
-        : RixRNG(contexts, parent.numPts, childGenerator(parent, scramble, split.newnumsamples)) {
-        parent.NewDomainsSplit(scramble, split.newnumsamples, contexts);
+
+    /// The same at some of the parent's points, in any order: contexts[k] is the new domain of
+    /// point indices[k], for k in [0, n), as above.
+    RixRNG(const RixRNG& parent, Scramble scramble, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts)
+        : RixRNG(parent, scramble, indices, n, contexts, Split{1}) {}
+    RixRNG(const RixRNG& parent, Scramble scramble, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts, Distrib distrib)
+        : RixRNG(contexts.first(n, "RixRNG"), n, parent.generator, parent.childOrder(scramble, 0)) {
+        copyFrom(parent, indices.first(n, "RixRNG"));
+        parent.derive(n, sampleCtxArray, scramble, distrib, sampleCtxArray);
+    }
+    RixRNG(const RixRNG& parent, Scramble scramble, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts, Split split)
+        : RixRNG(contexts.first(n, "RixRNG"), n, parent.generator,
+                 parent.childOrder(scramble, split.newnumsamples)) {
+        copyFrom(parent, indices.first(n, "RixRNG"));
+        parent.derive(n, sampleCtxArray, scramble, split, sampleCtxArray);
     }
 
     /// The same for a parent that is held by pointer.
-    RixRNG(const RixRNG* parent, SampleCtx* contexts, unsigned numPoints)
-        : RixRNG(*parent, contexts, numPoints) {}
-    RixRNG(const RixRNG* parent, Scramble scramble, SampleCtx* contexts)
-        : RixRNG(*parent, scramble, contexts) {}
-    RixRNG(const RixRNG* parent, Scramble scramble, SampleCtx* contexts, Distrib distrib)
-        : RixRNG(*parent, scramble, contexts, distrib) {}
-    RixRNG(const RixRNG* parent, Scramble scramble, SampleCtx* contexts, Split split)
-        : RixRNG(*parent, scramble, contexts, split) {}
+    template <class Parent, class... Arguments,
+              class = std::enable_if_t<std::is_base_of<RixRNG, Parent>::value>>
+    RixRNG(const Parent* parent, Arguments&&... arguments)
+        : RixRNG(*parent, std::forward<Arguments>(arguments)...) {}
 
     /// The sample of point i. z of the 3D point is the 1D sample, (x, y) the 2D sample: a 2D and a
     /// 1D draw from one context are together well stratified in 3D.
     float DrawSample1D(unsigned i) const {
+        assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        return generator ? generator->Sample1D(sc, i)
+        return generator ? generator->OrderedSample1D(sc, i, order)
                          : wellstrat::sample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
     }
     RtFloat2 DrawSample2D(unsigned i) const {
+        assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        return generator ? generator->Sample2D(sc, i)
+        return generator ? generator->OrderedSample2D(sc, i, order)
                          : wellstrat::sample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
     }
     RtFloat3 DrawSample3D(unsigned i) const {
+        assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        return generator ? generator->Sample3D(sc, i)
+        return generator ? generator->OrderedSample3D(sc, i, order)
                          : wellstrat::sample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
     }
 
@@ -117,76 +164,123 @@ public:
     }
 
     /// The samples of points 0 to n - 1 into xis[0, n).
-    void DrawSamples1D(unsigned n, float* xis) const {
+    void DrawSamples1D(unsigned n, Array<float> array) const {
+        assert(n <= numPts);
+        float* const xis = array.first(n, "DrawSamples1D");
         if (!generator) {
-            wellstrat::drawSamples1D(n, sampleCtxArray, xis);
+            wellstrat::detail::drawSamples1D(n, sampleCtxArray, xis);
         } else if (n > 0) {
-            generator->MultiSample1D(n, *sampleCtxArray, xis);
+            generator->MultiOrderedSample1D(n, *sampleCtxArray, order, xis);
         }
     }
-    void DrawSamples2D(unsigned n, RtFloat2* xis) const {
+    void DrawSamples2D(unsigned n, Array<RtFloat2> array) const {
+        assert(n <= numPts);
+        RtFloat2* const xis = array.first(n, "DrawSamples2D");
         if (!generator) {
-            wellstrat::drawSamples2D(n, sampleCtxArray, xis);
+            wellstrat::detail::drawSamples2D(n, sampleCtxArray, xis);
         } else if (n > 0) {
-            generator->MultiSample2D(n, *sampleCtxArray, xis);
+            generator->MultiOrderedSample2D(n, *sampleCtxArray, order, xis);
         }
     }
-    void DrawSamples3D(unsigned n, RtFloat3* xis) const {
+    void DrawSamples3D(unsigned n, Array<RtFloat3> array) const {
+        assert(n <= numPts);
+        RtFloat3* const xis = array.first(n, "DrawSamples3D");
         if (!generator) {
-            wellstrat::drawSamples3D(n, sampleCtxArray, xis);
+            wellstrat::detail::drawSamples3D(n, sampleCtxArray, xis);
         } else if (n > 0) {
-            generator->MultiSample3D(n, *sampleCtxArray, xis);
+            generator->MultiOrderedSample3D(n, *sampleCtxArray, order, xis);
         }
     }
 
     /// The same, and then the sampleids of these points are incremented.
-    void GenerateSamples1D(unsigned n, float* xis) {
+    void GenerateSamples1D(unsigned n, Array<float> xis) {
         DrawSamples1D(n, xis);
         advance(n);
     }
-    void GenerateSamples2D(unsigned n, RtFloat2* xis) {
+    void GenerateSamples2D(unsigned n, Array<RtFloat2> xis) {
         DrawSamples2D(n, xis);
         advance(n);
     }
-    void GenerateSamples3D(unsigned n, RtFloat3* xis) {
+    void GenerateSamples3D(unsigned n, Array<RtFloat3> xis) {
         DrawSamples3D(n, xis);
         advance(n);
     }
 
     /// The same for all points: xis[0, numPts).
-    void DrawSamples1D(float* xis) const { DrawSamples1D(numPts, xis); }
-    void DrawSamples2D(RtFloat2* xis) const { DrawSamples2D(numPts, xis); }
-    void DrawSamples3D(RtFloat3* xis) const { DrawSamples3D(numPts, xis); }
-    void GenerateSamples1D(float* xis) { GenerateSamples1D(numPts, xis); }
-    void GenerateSamples2D(RtFloat2* xis) { GenerateSamples2D(numPts, xis); }
-    void GenerateSamples3D(RtFloat3* xis) { GenerateSamples3D(numPts, xis); }
+    void DrawSamples1D(Array<float> xis) const { DrawSamples1D(numPts, xis); }
+    void DrawSamples2D(Array<RtFloat2> xis) const { DrawSamples2D(numPts, xis); }
+    void DrawSamples3D(Array<RtFloat3> xis) const { DrawSamples3D(numPts, xis); }
+    void GenerateSamples1D(Array<float> xis) { GenerateSamples1D(numPts, xis); }
+    void GenerateSamples2D(Array<RtFloat2> xis) { GenerateSamples2D(numPts, xis); }
+    void GenerateSamples3D(Array<RtFloat3> xis) { GenerateSamples3D(numPts, xis); }
 
-    /// A new domain of point i; see wellstrat::SampleCtx for the three kinds.
+    /// A new domain of point i; see wellstrat::SampleCtx for the three kinds. A RixRNG around such
+    /// contexts has the root order; the constructors with indices keep what the order has to give.
     SampleCtx NewDomain(unsigned i, Scramble scramble) const {
-        return sampleCtxArray[i].NewDomain(scramble);
+        return NewDomainSplit(i, scramble, 1);
     }
     SampleCtx NewDomainDistrib(unsigned i, Scramble scramble, unsigned newsampleid) const {
-        return sampleCtxArray[i].NewDomainDistrib(scramble, newsampleid);
+        assert(i < numPts);
+        SampleCtx child;
+        derive(1, sampleCtxArray + i, scramble, Distrib{newsampleid}, &child);
+        return child;
     }
     SampleCtx NewDomainSplit(unsigned i, Scramble scramble, unsigned newnumsamples) const {
-        return sampleCtxArray[i].NewDomainSplit(scramble, newnumsamples);
+        assert(i < numPts);
+        SampleCtx child;
+        derive(1, sampleCtxArray + i, scramble, Split{newnumsamples}, &child);
+        return child;
     }
 
     /// New domains of all points into out[0, numPts), which may be sampleCtxArray itself.
-    void NewDomains(Scramble scramble, SampleCtx* out) const {
-        wellstrat::newDomains(numPts, sampleCtxArray, scramble, out);
+    void NewDomains(Scramble scramble, Array<SampleCtx> out) const {
+        derive(numPts, sampleCtxArray, scramble, Split{1}, out.first(numPts, "NewDomains"));
     }
-    void NewDomainsDistrib(Scramble scramble, unsigned newsampleid, SampleCtx* out) const {
-        wellstrat::newDomainsDistrib(numPts, sampleCtxArray, scramble, newsampleid, out);
+    void NewDomainsDistrib(Scramble scramble, unsigned newsampleid, Array<SampleCtx> out) const {
+        derive(numPts, sampleCtxArray, scramble, Distrib{newsampleid},
+               out.first(numPts, "NewDomainsDistrib"));
     }
-    void NewDomainsSplit(Scramble scramble, unsigned newnumsamples, SampleCtx* out) const {
-        wellstrat::newDomainsSplit(numPts, sampleCtxArray, scramble, newnumsamples, out);
+    void NewDomainsSplit(Scramble scramble, unsigned newnumsamples, Array<SampleCtx> out) const {
+        derive(numPts, sampleCtxArray, scramble, Split{newnumsamples},
+               out.first(numPts, "NewDomainsSplit"));
     }
 
 private:
-    static const Generator* childGenerator(const RixRNG& parent, Scramble scramble,
-                                           unsigned split) {
-        return parent.generator ? parent.generator->ForChild(scramble, split) : nullptr;
+    RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen, Order ownOrder)
+        : sampleCtxArray(contexts), numPts(numPoints), generator(gen), order(ownOrder) {}
+
+    Order childOrder(Scramble scramble, unsigned split) const {
+        return generator ? generator->ChildOrder(order, scramble, split)
+                         : wellstrat::deriveOrder(order, scramble, split);
+    }
+    Order viewOrder() const { return generator ? generator->ViewOrder(order) : Order{}; }
+
+    /// The new domains of n contexts of this domain, into children[0, n).
+    void derive(unsigned n, const SampleCtx* parents, Scramble scramble, Split split,
+                SampleCtx* children) const {
+        if (!generator) {
+            wellstrat::detail::newDomainsSplit(n, parents, scramble, split.newnumsamples, children);
+        } else if (n > 0) {
+            generator->MultiNewDomainSplit(n, *parents, order, scramble, split.newnumsamples,
+                                           children);
+        }
+    }
+    void derive(unsigned n, const SampleCtx* parents, Scramble scramble, Distrib distrib,
+                SampleCtx* children) const {
+        if (!generator) {
+            wellstrat::detail::newDomainsDistrib(n, parents, scramble, distrib.newsampleid,
+                                                 children);
+        } else if (n > 0) {
+            generator->MultiNewDomainDistrib(n, *parents, order, scramble, distrib.newsampleid,
+                                             children);
+        }
+    }
+
+    void copyFrom(const RixRNG& parent, const unsigned* indices) {
+        for (unsigned k = 0; k < numPts; ++k) {
+            assert(indices[k] < parent.numPts);
+            sampleCtxArray[k] = parent.sampleCtxArray[indices[k]];
+        }
     }
 
     void advance(unsigned n) {

@@ -14,10 +14,15 @@
 namespace wellstrat::render {
 namespace {
 
+/// The tag of an order whose patterns are not renewed.
+constexpr uint32_t kKept = 1;
+
 /// Any number: it makes patterns that no picture has by itself.
 constexpr uint32_t kRenewal = 1;
 
-uint32_t renewed(const SampleCtx& sc) { return hashPair(sc.patternid, kRenewal); }
+uint32_t patternOf(const SampleCtx& sc, Order order) {
+    return order.tag == kKept ? sc.patternid : hashPair(sc.patternid, kRenewal);
+}
 
 Colors meanOf(const std::vector<Colors>& pictures) {
     std::vector<double> sums(pictures.front().size());
@@ -45,20 +50,22 @@ std::vector<PathDomain> pathDomains(unsigned depth) {
     return domains;
 }
 
-float RenewedGenerator::Sample1D(const SampleCtx& sc, unsigned /*i*/) const {
-    return RixProgressiveSample1D(renewed(sc), sc.sampleid);
+float RenewedGenerator::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+    return RixProgressiveSample1D(patternOf(sc, order), sc.sampleid);
 }
 
-Float2 RenewedGenerator::Sample2D(const SampleCtx& sc, unsigned /*i*/) const {
-    return RixProgressiveSample2D(renewed(sc), sc.sampleid);
+Float2 RenewedGenerator::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+    return RixProgressiveSample2D(patternOf(sc, order), sc.sampleid);
 }
 
-Float3 RenewedGenerator::Sample3D(const SampleCtx& sc, unsigned /*i*/) const {
-    return RixProgressiveSample3D(renewed(sc), sc.sampleid);
+Float3 RenewedGenerator::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+    return RixProgressiveSample3D(patternOf(sc, order), sc.sampleid);
 }
 
-const Generator* RenewedGenerator::ForChild(RixRNG::Scramble scramble, unsigned /*split*/) const {
-    return scramble == kept_ ? nullptr : this;
+Order RenewedGenerator::ChildOrder(Order parent, RixRNG::Scramble scramble,
+                                   unsigned /*split*/) const {
+    if (scramble == kept_) parent.tag = kKept;
+    return parent;
 }
 
 Colors colorsOf(const Film& film) {

@@ -34,16 +34,17 @@ struct PathDomain {
 std::vector<PathDomain> pathDomains(unsigned depth);
 
 /// The samples of the tables, but of other patterns: all domains are independent of those that a
-/// picture has without this generator, except for one if there is a scramble. Roulette, which draws
-/// from no generator, stays as it is.
-class RenewedGenerator final : public Generator {
+/// picture has without this generator, except for one if there is a scramble, and what is derived
+/// from it. Roulette, which draws from no generator, stays as it is.
+class RenewedGenerator final : public OrderedGenerator {
 public:
     explicit RenewedGenerator(std::optional<RixRNG::Scramble> kept) : kept_(kept) {}
 
-    float Sample1D(const SampleCtx& sc, unsigned i) const override;
-    Float2 Sample2D(const SampleCtx& sc, unsigned i) const override;
-    Float3 Sample3D(const SampleCtx& sc, unsigned i) const override;
-    const Generator* ForChild(RixRNG::Scramble scramble, unsigned split) const override;
+    float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override;
+    Float2 OrderedSample2D(const SampleCtx& sc, unsigned i, Order order) const override;
+    Float3 OrderedSample3D(const SampleCtx& sc, unsigned i, Order order) const override;
+    /// The tag of what is kept is 1.
+    Order ChildOrder(Order parent, RixRNG::Scramble scramble, unsigned split) const override;
 
 private:
     std::optional<RixRNG::Scramble> kept_;

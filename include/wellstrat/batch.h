@@ -10,6 +10,7 @@
 #pragma once
 
 #include "wellstrat/domain.h"
+#include "wellstrat/order.h"
 #include "wellstrat/platform.h"
 #include "wellstrat/vector.h"
 
@@ -27,6 +28,17 @@ WELLSTRAT_API void drawSamples3D(std::size_t n, const SampleCtx* contexts, Float
 WELLSTRAT_API void generateSamples1D(std::size_t n, SampleCtx* contexts, float* xis);
 WELLSTRAT_API void generateSamples2D(std::size_t n, SampleCtx* contexts, Float2* xis);
 WELLSTRAT_API void generateSamples3D(std::size_t n, SampleCtx* contexts, Float3* xis);
+
+/// xis[i] = the sample of contexts[i] in a domain of this order, as JointProgressive (joint.h)
+/// draws it, for i in [0, n): jointSample1D, jointSample2D, jointSample3D for an order with a slot,
+/// else sample1D and its kin. An order that deriveOrder never gives ends the program with a line
+/// that says so.
+WELLSTRAT_API void drawJointSamples1D(std::size_t n, const SampleCtx* contexts, Order order,
+                                      float* xis);
+WELLSTRAT_API void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, Order order,
+                                      Float2* xis);
+WELLSTRAT_API void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, Order order,
+                                      Float3* xis);
 
 /// children[i] = parents[i].NewDomain(scramble), for i in [0, n); likewise the others.
 WELLSTRAT_API void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble,

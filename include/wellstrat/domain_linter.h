@@ -29,13 +29,14 @@ inline namespace stream1 {
 ///
 /// Safe in any thread. Each draw locks a mutex and takes some 50 ns, and each sample about 40 bytes
 /// until clear(): lint a few pixels, not a picture. It must outlive all RixRNGs that have it.
-class WELLSTRAT_API DomainLinter final : public Generator {
+class WELLSTRAT_API DomainLinter final : public OrderedGenerator {
 public:
     enum class Fault {
         drawnTwice,  ///< one domain drawn twice at one sampleid; (x, y) and z once each are fine
         samePattern, ///< two derivations led to one pattern
         splitCount,  ///< a visit of a split by n did not draw n samples
         slotTwice,   ///< two domains of a path draw from one slot (wellstrat/joint.h)
+        slotLost,    ///< contexts below a slot are drawn through a RixRNG(parent, contexts, n)
         skipped,     ///< a sampleid that no path has, between those that paths have
         repeated,    ///< a whole path drawn again
     };
@@ -54,13 +55,23 @@ public:
     DomainLinter(const DomainLinter&) = delete;
     DomainLinter& operator=(const DomainLinter&) = delete;
 
-    float Sample1D(const SampleCtx& sc, unsigned i) const override;
-    Float2 Sample2D(const SampleCtx& sc, unsigned i) const override;
-    Float3 Sample3D(const SampleCtx& sc, unsigned i) const override;
-    void MultiSample1D(unsigned n, const SampleCtx& sc, float* xis) const override;
-    void MultiSample2D(unsigned n, const SampleCtx& sc, Float2* xis) const override;
-    void MultiSample3D(unsigned n, const SampleCtx& sc, Float3* xis) const override;
-    const Generator* ForChild(Scramble scramble, unsigned split) const override;
+    float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override;
+    Float2 OrderedSample2D(const SampleCtx& sc, unsigned i, Order order) const override;
+    Float3 OrderedSample3D(const SampleCtx& sc, unsigned i, Order order) const override;
+    void MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
+                              float* xis) const override;
+    void MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
+                              Float2* xis) const override;
+    void MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
+                              Float3* xis) const override;
+
+    /// What the wrapped generator says, but for the tag, by which the linter knows the derivation.
+    Order ChildOrder(Order parent, Scramble scramble, unsigned split) const override;
+    Order ViewOrder(Order parent) const override;
+    void MultiNewDomainSplit(unsigned n, const SampleCtx& parents, Order order, Scramble scramble,
+                             unsigned newnumsamples, SampleCtx* children) const override;
+    void MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Order order, Scramble scramble,
+                               unsigned newsampleid, SampleCtx* children) const override;
 
     /// The faults in what was drawn so far, sorted; equal records give equal findings.
     std::vector<Finding> findings() const;
@@ -73,7 +84,6 @@ public:
 
 private:
     class State;
-    class Domain;
     const std::unique_ptr<State> state_;
 };
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The interface of sample generators, for integrators that want other samples than the tables.
+//
+// A Generator of one's own needs the first three functions, and gets the others as they are for all
+// that know nothing of orders (order.h). An OrderedGenerator needs three as well, which are told.
 
 #pragma once
 
 #include "wellstrat/domain.h"
+#include "wellstrat/order.h"
 #include "wellstrat/platform.h"
 #include "wellstrat/vector.h"
 
@@ -15,8 +19,10 @@ inline namespace stream1 {
 /// asks it for every draw; without one, draws come from the tables with no virtual call.
 ///
 /// Implementations must be callable from several threads at once and should be pure functions of
-/// the context, so that DrawSample of one context gives one value. The RixRNG does not own its
+/// their arguments, so that DrawSample of one context gives one value. The RixRNG does not own its
 /// generator, which must outlive it and all its children.
+///
+/// Functions for many contexts take the first of n contiguous ones, n >= 1.
 class WELLSTRAT_API Generator {
 public:
     virtual ~Generator();
@@ -26,15 +32,70 @@ public:
     virtual Float2 Sample2D(const SampleCtx& sc, unsigned i) const = 0;
     virtual Float3 Sample3D(const SampleCtx& sc, unsigned i) const = 0;
 
-    /// Fills xis[0, n) for n contiguous contexts, of points 0 to n - 1, of which `sc` is the first.
-    /// n is at least 1. These loop over the functions above unless they are overridden.
+    /// Fills xis[0, n) for the contexts of points 0 to n - 1. These loop over the functions above
+    /// unless they are overridden.
     virtual void MultiSample1D(unsigned n, const SampleCtx& sc, float* xis) const;
     virtual void MultiSample2D(unsigned n, const SampleCtx& sc, Float2* xis) const;
     virtual void MultiSample3D(unsigned n, const SampleCtx& sc, Float3* xis) const;
 
-    /// The generator of a RixRNG that is derived from one with this generator; null gives it the
-    /// tables. `split` is 1 for a plain new domain, n for a split by n, 0 for distribution.
-    virtual const Generator* ForChild(Scramble scramble, unsigned split) const;
+    // What a RixRNG really calls. By default, the functions above: the order does not matter.
+
+    /// The sample of `sc` in a domain of this order.
+    virtual float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const;
+    virtual Float2 OrderedSample2D(const SampleCtx& sc, unsigned i, Order order) const;
+    virtual Float3 OrderedSample3D(const SampleCtx& sc, unsigned i, Order order) const;
+
+    /// The same for the contexts of points 0 to n - 1.
+    virtual void MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
+                                      float* xis) const;
+    virtual void MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
+                                      Float2* xis) const;
+    virtual void MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
+                                      Float3* xis) const;
+
+    // How domains are derived through a RixRNG.
+
+    /// The order of a new domain, by default deriveOrder(parent, scramble, split): `split` is 1 for
+    /// a plain one, n for a split by n, 0 for distribution.
+    virtual Order ChildOrder(Order parent, Scramble scramble, unsigned split) const;
+
+    /// The order of RixRNG(parent, contexts, n), whose contexts may be any. By default the root
+    /// order, which is right whatever they are.
+    virtual Order ViewOrder(Order parent) const;
+
+    /// The contexts of new domains of n contexts, whose order is `order`, into children[0, n),
+    /// which may be where `parents` are. By default what SampleCtx::NewDomainSplit and
+    /// NewDomainDistrib give. A plain new domain is a split by 1.
+    virtual void MultiNewDomainSplit(unsigned n, const SampleCtx& parents, Order order,
+                                     Scramble scramble, unsigned newnumsamples,
+                                     SampleCtx* children) const;
+    virtual void MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Order order,
+                                       Scramble scramble, unsigned newsampleid,
+                                       SampleCtx* children) const;
+};
+
+/// The base of generators to which the order of a domain matters. They need OrderedSample1D, 2D and
+/// 3D; all other draws are these, without a RixRNG in the root order.
+class WELLSTRAT_API OrderedGenerator : public Generator {
+public:
+    ~OrderedGenerator() override;
+
+    float Sample1D(const SampleCtx& sc, unsigned i) const final;
+    Float2 Sample2D(const SampleCtx& sc, unsigned i) const final;
+    Float3 Sample3D(const SampleCtx& sc, unsigned i) const final;
+    void MultiSample1D(unsigned n, const SampleCtx& sc, float* xis) const final;
+    void MultiSample2D(unsigned n, const SampleCtx& sc, Float2* xis) const final;
+    void MultiSample3D(unsigned n, const SampleCtx& sc, Float3* xis) const final;
+
+    float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override = 0;
+    Float2 OrderedSample2D(const SampleCtx& sc, unsigned i, Order order) const override = 0;
+    Float3 OrderedSample3D(const SampleCtx& sc, unsigned i, Order order) const override = 0;
+    void MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
+                              float* xis) const override;
+    void MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
+                              Float2* xis) const override;
+    void MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
+                              Float3* xis) const override;
 };
 
 } // namespace stream1

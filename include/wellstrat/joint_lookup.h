@@ -23,13 +23,10 @@
 #pragma once
 
 #include "wellstrat/lookup.h"
+#include "wellstrat/order.h"
 
 namespace wellstrat {
 inline namespace stream1 {
-
-/// How many slots there are, and the most branches in all that a slot may have.
-constexpr unsigned kJointSlots = 16;
-constexpr unsigned kMaxJointSplit = 256;
 
 /// U_d i and P U_d i by bytes of i, for all slots d: order(i) = low[i % 256] ^ high[i / 256].
 struct JointOrders {

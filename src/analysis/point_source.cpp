@@ -2,7 +2,7 @@
 
 #include "wellstrat/analysis/point_source.h"
 
-#include "wellstrat/batch.h"
+#include "RixRNG.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/owen.h"
 #include "wellstrat/sobol.h"
@@ -54,19 +54,9 @@ void forEachDomain(const DomainDims& domains, double* points, Draw draw) {
 
 using Contexts = std::vector<SampleCtx>;
 
-/// A null generator is the tables.
-void drawAll(const Generator* generator, const Contexts& contexts, float* xis) {
-    if (generator == nullptr) return drawSamples1D(contexts.size(), contexts.data(), xis);
-    generator->MultiSample1D(static_cast<unsigned>(contexts.size()), contexts[0], xis);
-}
-void drawAll(const Generator* generator, const Contexts& contexts, Float2* xis) {
-    if (generator == nullptr) return drawSamples2D(contexts.size(), contexts.data(), xis);
-    generator->MultiSample2D(static_cast<unsigned>(contexts.size()), contexts[0], xis);
-}
-void drawAll(const Generator* generator, const Contexts& contexts, Float3* xis) {
-    if (generator == nullptr) return drawSamples3D(contexts.size(), contexts.data(), xis);
-    generator->MultiSample3D(static_cast<unsigned>(contexts.size()), contexts[0], xis);
-}
+void drawAll(const RixRNG& rng, std::vector<float>& xis) { rng.DrawSamples1D(xis); }
+void drawAll(const RixRNG& rng, std::vector<Float2>& xis) { rng.DrawSamples2D(xis); }
+void drawAll(const RixRNG& rng, std::vector<Float3>& xis) { rng.DrawSamples3D(xis); }
 
 double coordinate(float xi, unsigned /*c*/) { return double(xi); }
 template <typename Sample>
@@ -75,10 +65,9 @@ double coordinate(const Sample& xi, unsigned c) {
 }
 
 template <typename Sample>
-void drawDomain(const Generator* generator, const Contexts& contexts, unsigned dims, double* out,
-                unsigned stride) {
-    std::vector<Sample> xis(contexts.size());
-    drawAll(generator, contexts, xis.data());
+void drawDomain(const RixRNG& rng, unsigned dims, double* out, unsigned stride) {
+    std::vector<Sample> xis(rng.numPts);
+    drawAll(rng, xis);
     for (std::size_t i = 0; i < xis.size(); ++i) {
         for (unsigned c = 0; c < dims; ++c) out[i * stride + c] = coordinate(xis[i], c);
     }
@@ -93,20 +82,16 @@ public:
     void draw(uint32_t pattern, const DomainDims& domains, std::size_t count,
               double* points) const override {
         if (count == 0) return;
-        Contexts contexts(count);
+        const auto n = static_cast<unsigned>(count);
+        Contexts contexts(n), children(n);
+        for (unsigned i = 0; i < n; ++i) contexts[i] = {pattern, i};
+        const RixRNG camera(contexts, n, generator_);
         forEachDomain(domains, points,
                       [&](uint32_t domain, unsigned dims, double* out, unsigned stride) {
-                          const Scramble scramble = scrambleOf(domain);
-                          const SampleCtx first = SampleCtx{pattern, 0}.NewDomain(scramble);
-                          for (std::size_t i = 0; i < count; ++i) {
-                              contexts[i] = {first.patternid, static_cast<unsigned>(i)};
-                          }
                           const auto drawAny = dims == 1   ? drawDomain<float>
                                                : dims == 2 ? drawDomain<Float2>
                                                            : drawDomain<Float3>;
-                          const Generator* generator =
-                              generator_ ? generator_->ForChild(scramble, 1) : nullptr;
-                          drawAny(generator, contexts, dims, out, stride);
+                          drawAny({camera, scrambleOf(domain), children}, dims, out, stride);
                       });
     }
 

@@ -3,8 +3,8 @@
 #include "wellstrat/batch.h"
 
 #include "batch/kernels.h"
+#include "core/order_check.h"
 #include "wellstrat/batch_target.h"
-#include "wellstrat/joint.h"
 
 #include <atomic>
 #include <cstring>
@@ -80,19 +80,19 @@ void generateSamples3D(std::size_t n, SampleCtx* contexts, Float3* xis) {
     if (n > 0) kernels().draw3D(n, tables(), contexts, 1, xis);
 }
 
-void drawJointSamples1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        float* xis) {
-    if (n > 0) kernels().drawJoint1D(n, tables(), contexts, slot, split, xis);
+void drawJointSamples1D(std::size_t n, const SampleCtx* contexts, Order order, float* xis) {
+    if (!detail::hasSlot(order)) return drawSamples1D(n, contexts, xis);
+    if (n > 0) kernels().drawJoint1D(n, tables(), contexts, order.slot, order.splits, xis);
 }
 
-void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        Float2* xis) {
-    if (n > 0) kernels().drawJoint2D(n, tables(), contexts, slot, split, xis);
+void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Float2* xis) {
+    if (!detail::hasSlot(order)) return drawSamples2D(n, contexts, xis);
+    if (n > 0) kernels().drawJoint2D(n, tables(), contexts, order.slot, order.splits, xis);
 }
 
-void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        Float3* xis) {
-    if (n > 0) kernels().drawJoint3D(n, tables(), contexts, slot, split, xis);
+void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
+    if (!detail::hasSlot(order)) return drawSamples3D(n, contexts, xis);
+    if (n > 0) kernels().drawJoint3D(n, tables(), contexts, order.slot, order.splits, xis);
 }
 
 void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {

@@ -5,7 +5,7 @@
 //
 // Each function here has the name of the scalar function whose bits it computes.
 
-#include "batch/joint_orders.h"
+#include "batch/joint_digits.h"
 #include "batch/kernels.h"
 
 #include "wellstrat/lookup.h"

@@ -2,7 +2,7 @@
 
 #include "debug/derivation.h"
 
-#include "wellstrat/joint.h"
+#include "wellstrat/order.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -58,12 +58,14 @@ std::string nameOf(const Derivation& domain) {
         nameOf(*domain.parent) + " > " + hexadecimal(static_cast<unsigned>(domain.scramble));
     const unsigned slot = slotOf(domain);
     if (slot < kJointSlots) name += " (slot " + std::to_string(slot) + ")";
+    if (domain.isSlotView) name += " (view)";
     if (domain.split == 0) return name + " distribution";
     return domain.split == 1 ? name : name + " split " + std::to_string(domain.split);
 }
 
 unsigned slotOf(const Derivation& domain) {
-    const bool joint = domain.parent && !domain.base->parent && domain.splits <= kMaxJointSplit;
+    const bool joint = domain.parent && !domain.base->parent && !domain.isSlotView &&
+                       domain.splits <= kMaxJointSplit;
     if (!joint) return kJointSlots;
     return std::min(static_cast<unsigned>(domain.scramble) - kJointScramble, kJointSlots);
 }
@@ -91,6 +93,16 @@ const Derivation& Derivations::child(const Derivation& parent, Scramble scramble
         made.splits = 1;
     }
     return made;
+}
+
+const Derivation& Derivations::view(const Derivation& domain) {
+    if (slotOf(domain) == kJointSlots) return domain;
+    const auto [found, isNew] = views_.try_emplace(domain.number, all_.size());
+    if (!isNew) return all_[found->second];
+    all_.push_back(domain);
+    all_.back().number = found->second;
+    all_.back().isSlotView = true;
+    return all_.back();
 }
 
 } // namespace wellstrat::stream1::detail

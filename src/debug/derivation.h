@@ -27,10 +27,11 @@ unsigned parentPattern(unsigned patternid, Scramble scramble);
 struct Derivation {
     const Derivation* parent; ///< null for the camera
     Scramble scramble;
-    unsigned split;         ///< as in Generator::ForChild
-    const Derivation* base; ///< where paths begin: the last distribution, or the camera
-    uint64_t splits;        ///< the product of all splits since `base`, at most 2^32
-    std::size_t number;     ///< its place among all derivations
+    unsigned split;          ///< as in Generator::ChildOrder
+    const Derivation* base;  ///< where paths begin: the last distribution, or the camera
+    uint64_t splits;         ///< the product of all splits since `base`, at most 2^32
+    std::size_t number;      ///< its place among all derivations
+    bool isSlotView = false; ///< a RixRNG(parent, contexts, n) of a slot, or of such a view
 };
 
 /// What the contexts of one path have in common.
@@ -61,12 +62,16 @@ public:
 
     const Derivation& camera() const { return all_.front(); }
     const Derivation& child(const Derivation& parent, Scramble scramble, unsigned split);
+    /// What a RixRNG(parent, contexts, n) of the domain is: but for slots, which it has not, the
+    /// same.
+    const Derivation& view(const Derivation& domain);
     const Derivation& operator[](std::size_t number) const { return all_[number]; }
     std::size_t size() const { return all_.size(); }
 
 private:
     std::deque<Derivation> all_;
     std::map<std::tuple<std::size_t, Scramble, unsigned>, std::size_t> numbers_;
+    std::map<std::size_t, std::size_t> views_; ///< by the numbers of the slots' domains
 };
 
 } // namespace wellstrat::stream1::detail

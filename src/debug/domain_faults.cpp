@@ -19,6 +19,7 @@ std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord
     findRepeated(uses, findings);
     findSkipped(uses, findings);
     findSlots(uses, findings);
+    findLostSlots(uses, findings);
 
     std::sort(uses.begin(), uses.end(), lessByPattern);
     findSplits(uses, findings);

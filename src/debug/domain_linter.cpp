@@ -10,65 +10,73 @@
 #include "wellstrat/lookup.h"
 
 #include <cstdio>
+#include <map>
 #include <mutex>
+#include <tuple>
 
 namespace wellstrat {
 inline namespace stream1 {
 
-/// The generator of one domain: its derivation, and what makes its samples.
-class DomainLinter::Domain final : public Generator {
-public:
-    Domain(State& state, const detail::Derivation& derivation, const Generator* inner)
-        : state_(state), derivation_(derivation), inner_(inner) {}
+namespace {
 
-    float Sample1D(const SampleCtx& sc, unsigned i) const override {
-        record(1, sc, {0, 1});
-        return inner_ ? inner_->Sample1D(sc, i) : sample1D(sc.patternid, sc.sampleid);
+/// Draws as a RixRNG does that has no generator.
+class TableGenerator final : public Generator {
+public:
+    float Sample1D(const SampleCtx& sc, unsigned /*i*/) const override {
+        return sample1D(sc.patternid, sc.sampleid);
     }
-    Float2 Sample2D(const SampleCtx& sc, unsigned i) const override {
-        record(1, sc, {1, 0});
-        return inner_ ? inner_->Sample2D(sc, i) : sample2D(sc.patternid, sc.sampleid);
+    Float2 Sample2D(const SampleCtx& sc, unsigned /*i*/) const override {
+        return sample2D(sc.patternid, sc.sampleid);
     }
-    Float3 Sample3D(const SampleCtx& sc, unsigned i) const override {
-        record(1, sc, {1, 1});
-        return inner_ ? inner_->Sample3D(sc, i) : sample3D(sc.patternid, sc.sampleid);
+    Float3 Sample3D(const SampleCtx& sc, unsigned /*i*/) const override {
+        return sample3D(sc.patternid, sc.sampleid);
     }
     void MultiSample1D(unsigned n, const SampleCtx& sc, float* xis) const override {
-        record(n, sc, {0, 1});
-        inner_ ? inner_->MultiSample1D(n, sc, xis) : drawSamples1D(n, &sc, xis);
+        drawSamples1D(n, &sc, xis);
     }
     void MultiSample2D(unsigned n, const SampleCtx& sc, Float2* xis) const override {
-        record(n, sc, {1, 0});
-        inner_ ? inner_->MultiSample2D(n, sc, xis) : drawSamples2D(n, &sc, xis);
+        drawSamples2D(n, &sc, xis);
     }
     void MultiSample3D(unsigned n, const SampleCtx& sc, Float3* xis) const override {
-        record(n, sc, {1, 1});
-        inner_ ? inner_->MultiSample3D(n, sc, xis) : drawSamples3D(n, &sc, xis);
+        drawSamples3D(n, &sc, xis);
     }
-    const Generator* ForChild(Scramble scramble, unsigned split) const override;
-
-private:
-    void record(unsigned n, const SampleCtx& first, detail::DrawCounts counts) const;
-
-    State& state_;
-    const detail::Derivation& derivation_;
-    const Generator* const inner_;
 };
+
+const TableGenerator kTables;
+
+} // namespace
 
 class DomainLinter::State {
 public:
-    explicit State(const Generator* inner) : camera(domain(derivations_.camera(), inner)) {}
+    explicit State(const Generator* wrapped) : inner(wrapped ? *wrapped : kTables) {}
 
-    const Domain& child(const detail::Derivation& parent, Scramble scramble, unsigned split,
-                        const Generator* inner) {
+    const Generator& inner;
+
+    /// The wrapped generator's order for one of the linter's.
+    Order innerOrder(Order order) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return domain(derivations_.child(parent, scramble, split), inner);
+        return domainOf(order).order;
     }
 
-    void add(const detail::Derivation& domain, unsigned n, const SampleCtx* contexts,
-             detail::DrawCounts counts) {
+    Order child(Order parent, Scramble scramble, unsigned split) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        for (unsigned i = 0; i < n; ++i) record_.add(domain, contexts[i], counts);
+        const Domain& from = domainOf(parent);
+        return tagged(derivations_.child(*from.derivation, scramble, split),
+                      inner.ChildOrder(from.order, scramble, split));
+    }
+
+    Order view(Order parent) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const Domain& from = domainOf(parent);
+        return tagged(derivations_.view(*from.derivation), inner.ViewOrder(from.order));
+    }
+
+    /// Records draws by a domain. Returns the wrapped generator's order.
+    Order add(Order order, unsigned n, const SampleCtx& first, detail::DrawCounts counts) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        const Domain& domain = domainOf(order);
+        for (unsigned i = 0; i < n; ++i) record_.add(*domain.derivation, (&first)[i], counts);
+        return domain.order;
     }
 
     std::vector<Finding> findings() {
@@ -88,58 +96,75 @@ public:
     }
 
 private:
-    /// One object for each derivation, and, should the inner generator have several for one, for
-    /// each of these.
-    const Domain& domain(const detail::Derivation& derivation, const Generator* inner) {
-        std::unique_ptr<Domain>& domain = domains_[{&derivation, inner}];
-        if (!domain) domain = std::make_unique<Domain>(*this, derivation, inner);
-        return *domain;
+    /// What a tag means. A view of a domain is the same derivation, but for slots, and may have
+    /// another order.
+    struct Domain {
+        const detail::Derivation* derivation;
+        Order order;
+    };
+
+    /// A tag that is not ours is a camera's.
+    const Domain& domainOf(Order order) const {
+        return domains_[order.tag < domains_.size() ? order.tag : 0];
+    }
+
+    Order tagged(const detail::Derivation& derivation, Order order) {
+        const auto [found, isNew] = tags_.try_emplace(
+            {derivation.number, order.slot, order.splits, order.tag}, domains_.size());
+        if (isNew) domains_.push_back({&derivation, order});
+        order.tag = static_cast<uint32_t>(found->second);
+        return order;
     }
 
     std::mutex mutex_;
     detail::Derivations derivations_;
     detail::DrawRecord record_;
-    std::map<std::pair<const detail::Derivation*, const Generator*>, std::unique_ptr<Domain>>
-        domains_;
-
-public:
-    const Domain& camera;
+    std::vector<Domain> domains_{{&derivations_.camera(), Order{}}};
+    std::map<std::tuple<std::size_t, uint16_t, uint16_t, uint32_t>, std::size_t> tags_;
 };
-
-const Generator* DomainLinter::Domain::ForChild(Scramble scramble, unsigned split) const {
-    const Generator* const inner = inner_ ? inner_->ForChild(scramble, split) : nullptr;
-    return &state_.child(derivation_, scramble, split, inner);
-}
-
-void DomainLinter::Domain::record(unsigned n, const SampleCtx& first,
-                                  detail::DrawCounts counts) const {
-    state_.add(derivation_, n, &first, counts);
-}
 
 DomainLinter::DomainLinter(const Generator* inner) : state_(std::make_unique<State>(inner)) {}
 
 DomainLinter::~DomainLinter() = default;
 
-float DomainLinter::Sample1D(const SampleCtx& sc, unsigned i) const {
-    return state_->camera.Sample1D(sc, i);
+float DomainLinter::OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const {
+    return state_->inner.OrderedSample1D(sc, i, state_->add(order, 1, sc, {0, 1}));
 }
-Float2 DomainLinter::Sample2D(const SampleCtx& sc, unsigned i) const {
-    return state_->camera.Sample2D(sc, i);
+Float2 DomainLinter::OrderedSample2D(const SampleCtx& sc, unsigned i, Order order) const {
+    return state_->inner.OrderedSample2D(sc, i, state_->add(order, 1, sc, {1, 0}));
 }
-Float3 DomainLinter::Sample3D(const SampleCtx& sc, unsigned i) const {
-    return state_->camera.Sample3D(sc, i);
+Float3 DomainLinter::OrderedSample3D(const SampleCtx& sc, unsigned i, Order order) const {
+    return state_->inner.OrderedSample3D(sc, i, state_->add(order, 1, sc, {1, 1}));
 }
-void DomainLinter::MultiSample1D(unsigned n, const SampleCtx& sc, float* xis) const {
-    state_->camera.MultiSample1D(n, sc, xis);
+void DomainLinter::MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
+                                        float* xis) const {
+    state_->inner.MultiOrderedSample1D(n, sc, state_->add(order, n, sc, {0, 1}), xis);
 }
-void DomainLinter::MultiSample2D(unsigned n, const SampleCtx& sc, Float2* xis) const {
-    state_->camera.MultiSample2D(n, sc, xis);
+void DomainLinter::MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
+                                        Float2* xis) const {
+    state_->inner.MultiOrderedSample2D(n, sc, state_->add(order, n, sc, {1, 0}), xis);
 }
-void DomainLinter::MultiSample3D(unsigned n, const SampleCtx& sc, Float3* xis) const {
-    state_->camera.MultiSample3D(n, sc, xis);
+void DomainLinter::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
+                                        Float3* xis) const {
+    state_->inner.MultiOrderedSample3D(n, sc, state_->add(order, n, sc, {1, 1}), xis);
 }
-const Generator* DomainLinter::ForChild(Scramble scramble, unsigned split) const {
-    return state_->camera.ForChild(scramble, split);
+
+Order DomainLinter::ChildOrder(Order parent, Scramble scramble, unsigned split) const {
+    return state_->child(parent, scramble, split);
+}
+Order DomainLinter::ViewOrder(Order parent) const { return state_->view(parent); }
+
+void DomainLinter::MultiNewDomainSplit(unsigned n, const SampleCtx& parents, Order order,
+                                       Scramble scramble, unsigned newnumsamples,
+                                       SampleCtx* children) const {
+    state_->inner.MultiNewDomainSplit(n, parents, state_->innerOrder(order), scramble,
+                                      newnumsamples, children);
+}
+void DomainLinter::MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Order order,
+                                         Scramble scramble, unsigned newsampleid,
+                                         SampleCtx* children) const {
+    state_->inner.MultiNewDomainDistrib(n, parents, state_->innerOrder(order), scramble,
+                                        newsampleid, children);
 }
 
 std::vector<DomainLinter::Finding> DomainLinter::findings() const { return state_->findings(); }

@@ -97,11 +97,12 @@ private:
     std::map<std::pair<Fault, std::string>, Finding> all_;
 };
 
-/// Sets `pathTimes` and `aloneOnPath`. Sorted by path, as in the next three.
+/// Sets `pathTimes` and `aloneOnPath`. Sorted by path, as in the next four.
 void markWholePaths(Uses& uses);
 void findRepeated(const Uses& uses, Findings& findings);
 void findSkipped(const Uses& uses, Findings& findings);
 void findSlots(const Uses& uses, Findings& findings);
+void findLostSlots(const Uses& uses, Findings& findings);
 
 /// Also sets `runsOver`. Sorted by pattern, as in the next two.
 void findSplits(Uses& uses, Findings& findings);

@@ -4,7 +4,7 @@
 
 #include "debug/fault_search.h"
 
-#include "wellstrat/joint.h"
+#include "wellstrat/order.h"
 
 #include <set>
 
@@ -104,6 +104,17 @@ void findSlots(const Uses& uses, Findings& findings) {
                          use->path.start);
         });
     });
+}
+
+void findLostSlots(const Uses& uses, Findings& findings) {
+    for (const Use& use : uses) {
+        if (!use.domain->isSlotView) continue;
+        findings.add(Fault::slotLost,
+                     nameOf(*use.domain) +
+                         ": contexts in a RixRNG(parent, contexts, n) have no slot and no order; "
+                         "derive them by their indices",
+                     use.path.start);
+    }
 }
 
 } // namespace wellstrat::stream1::detail

@@ -108,8 +108,9 @@ protected:
             forBatches([&](const std::vector<SampleCtx>& contexts) {
                 const std::size_t n = contexts.size();
                 slot = (slot + 1) % kJointSlots;
-                const auto drawn = guarded<Sample>(
-                    n, [&](Sample* xis) { draw(n, contexts.data(), slot, split, xis); });
+                const auto drawn = guarded<Sample>(n, [&](Sample* xis) {
+                    draw(n, contexts.data(), jointOrder(slot, split), xis);
+                });
                 for (std::size_t i = 0; i < n; ++i) {
                     const SampleCtx sc = contexts[i];
                     const Sample expected =
@@ -169,7 +170,7 @@ TEST_P(BatchTarget, JointDrawsAreSplitExactly) {
     std::vector<float> xis(contexts.size());
     for (unsigned split = 1; split <= kMaxJointSplit; ++split) {
         const unsigned slot = split % kJointSlots;
-        drawJointSamples1D(contexts.size(), contexts.data(), slot, split, xis.data());
+        drawJointSamples1D(contexts.size(), contexts.data(), jointOrder(slot, split), xis.data());
         for (std::size_t i = 0; i < contexts.size(); ++i) {
             const SampleCtx sc = contexts[i];
             ASSERT_EQ(xis[i], jointSample1D(tables(), sc.patternid, sc.sampleid, slot, split))
@@ -241,7 +242,7 @@ TEST(BatchTargets, TheLastIsScalarAndUnknownOnesAreRefused) {
 TEST(Batch, NothingIsReadOrWrittenForZeroPoints) {
     drawSamples1D(0, nullptr, nullptr);
     generateSamples3D(0, nullptr, nullptr);
-    drawJointSamples2D(0, nullptr, 0, 1, nullptr);
+    drawJointSamples2D(0, nullptr, jointOrder(0), nullptr);
     newDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
     hashToRandom(0, nullptr, nullptr);
     EXPECT_STREQ(chosenBatchTarget(), batchTarget(0));

@@ -69,9 +69,12 @@ inline Words sampleBits(const RixRNG& rng) {
 }
 
 /// x, y and z of the first sample of batchFrom(a[0], a[1]).
-inline Words firstSample(const Words& a, const RixRNG::Generator* generator) {
+inline Words firstSample(const Words& a, const RixRNG::Generator* generator,
+                         RixRNG::Order order = {}) {
     auto contexts = batchFrom(a[0], a[1]);
-    Words bits = sampleBits({contexts.data(), static_cast<unsigned>(contexts.size()), generator});
+    RixRNG rng(contexts, static_cast<unsigned>(contexts.size()), generator);
+    rng.order = order;
+    Words bits = sampleBits(rng);
     bits.resize(3);
     return bits;
 }
@@ -97,7 +100,7 @@ inline Words randomSample(const Words& a) {
 
 inline Words jointSample(const Words& a) {
     const wellstrat::JointProgressive joint;
-    return firstSample(a, joint.ForChild(wellstrat::jointScramble(a[2]), a[3]));
+    return firstSample(a, &joint, wellstrat::jointOrder(a[2], a[3]));
 }
 
 /// Drawn in batches of 1, 2, 3, ... samples, so that vectors have rests of any length.

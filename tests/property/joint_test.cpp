@@ -39,7 +39,7 @@ std::vector<Float3> drawBlock(uint32_t pattern, unsigned slot, unsigned split, u
     std::vector<SampleCtx> contexts;
     for (unsigned i = 0; i < kTableSize; ++i) contexts.push_back({pattern, block * kTableSize + i});
     std::vector<Float3> xis(kTableSize);
-    drawJointSamples3D(kTableSize, contexts.data(), slot, split, xis.data());
+    drawJointSamples3D(kTableSize, contexts.data(), jointOrder(slot, split), xis.data());
     return xis;
 }
 

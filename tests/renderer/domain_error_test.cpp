@@ -39,15 +39,20 @@ TEST(PathDomains, AreDifferentAndGoOnWithTheBounces) {
 TEST(RenewedGenerator, KeepsOneDomainAndDrawsOtherPatternsElsewhere) {
     const RixRNG::Scramble kept{5}, other{6};
     const RenewedGenerator generator(kept), all({});
-    for (const unsigned split : {0u, 1u, 4u}) {
-        EXPECT_EQ(generator.ForChild(kept, split), nullptr) << "the tables";
-        EXPECT_EQ(generator.ForChild(other, split), &generator);
-        EXPECT_EQ(all.ForChild(kept, split), &all);
-    }
     const RixRNG::SampleCtx context{7, 3};
     const RtFloat2 anew = generator.Sample2D(context, 0), table = RixProgressiveSample2D(7, 3);
     EXPECT_NE(anew.x, table.x);
     EXPECT_EQ(anew.x, generator.Sample3D(context, 0).x);
+    for (const unsigned split : {0u, 1u, 4u}) {
+        const Order below = generator.ChildOrder({}, kept, split);
+        EXPECT_EQ(generator.OrderedSample2D(context, 0, below), table);
+        EXPECT_EQ(generator.OrderedSample2D(context, 0, generator.ChildOrder(below, other, split)),
+                  table)
+            << "the tables go on";
+        EXPECT_EQ(generator.OrderedSample2D(context, 0, generator.ChildOrder({}, other, split)),
+                  anew);
+        EXPECT_EQ(all.OrderedSample2D(context, 0, all.ChildOrder({}, kept, split)), anew);
+    }
 }
 
 Colors picture(const Scene& scene, SamplingOptions options, const Generator* generator) {

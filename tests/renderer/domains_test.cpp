@@ -71,18 +71,24 @@ private:
     mutable std::map<std::pair<unsigned, unsigned>, unsigned> counts_;
 };
 
-/// One of a family that listens to each slot of joint.h by itself, and the last to all else.
-class SlotRecorder final : public Recorder {
+/// Listens to each slot of joint.h by itself.
+class SlotRecorder final : public OrderedGenerator {
 public:
-    using Family = std::array<SlotRecorder, kJointSlots + 1>;
-    const Family* family = nullptr;
+    /// Of a slot, or with kJointSlots of all padded domains.
+    const Recorder& of(unsigned slot) const { return recorders_[slot]; }
 
-    const Generator* ForChild(RixRNG::Scramble scramble, unsigned split) const override {
-        if (split == 0) return nullptr;
-        const unsigned slot =
-            static_cast<unsigned>(scramble) - static_cast<unsigned>(jointScramble(0));
-        return &(*family)[std::min(slot, kJointSlots)];
+    float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override {
+        return recorders_[order.slot].Sample1D(sc, i);
     }
+    Float2 OrderedSample2D(const SampleCtx& sc, unsigned i, Order order) const override {
+        return recorders_[order.slot].Sample2D(sc, i);
+    }
+    Float3 OrderedSample3D(const SampleCtx& sc, unsigned i, Order order) const override {
+        return recorders_[order.slot].Sample3D(sc, i);
+    }
+
+private:
+    std::array<Recorder, kJointSlots + 1> recorders_;
 };
 
 /// A white box with a lamp, from within, and an environment that is sampled but never seen: no path
@@ -110,7 +116,7 @@ constexpr unsigned kSide = 3;
 constexpr unsigned kSamples = 4;
 constexpr unsigned kSeed = 5;
 
-SamplingOptions listenedTo(const Recorder& recorder, unsigned split, bool distrib) {
+SamplingOptions listenedTo(const Generator& recorder, unsigned split, bool distrib) {
     SamplingOptions options = optionsOfDepth(2);
     options.generator = &recorder;
     options.seed = kSeed;
@@ -214,18 +220,17 @@ TEST(Domains, SlotsAreUsedOnceOnAPath) {
     constexpr unsigned kDepth = 8;
     for (const unsigned split : {1u, 3u}) {
         for (const bool distrib : {false, true}) {
-            SlotRecorder::Family slots;
-            for (SlotRecorder& recorder : slots) recorder.family = &slots;
-            SamplingOptions options = listenedTo(slots.back(), split, distrib);
+            const SlotRecorder slots;
+            SamplingOptions options = listenedTo(slots, split, distrib);
             options.depth = kDepth;
             renderFilm(closedBox(), 1, kSamples, options);
             for (unsigned slot = 0; slot < kJointSlots; ++slot) {
                 for (unsigned s = 0; s < split * kSamples; ++s) {
-                    EXPECT_LE(slots[slot].countAt(s), 1u) << "slot " << slot << ", sample " << s;
+                    EXPECT_LE(slots.of(slot).countAt(s), 1u) << "slot " << slot << ", sample " << s;
                 }
-                EXPECT_TRUE(distrib || slots[slot].countAt(0) == 1) << "slot " << slot;
+                EXPECT_TRUE(distrib || slots.of(slot).countAt(0) == 1) << "slot " << slot;
             }
-            EXPECT_GT(slots.back().countAt(0), 0u);
+            EXPECT_GT(slots.of(kJointSlots).countAt(0), 0u);
         }
     }
 }

@@ -336,12 +336,10 @@ TEST(DomainLinter, FindsSlotsTakenTwice) {
         "slot 1 twice on a path: camera > 0x03707344 > 0x03707344 > 0x6a6f696f (slot 1) and "
         "camera > 0x03707344 > 0x6a6f696f (slot 1)";
     expectOnly(findings(integrator), Fault::slotTwice, words);
-#ifdef NDEBUG // or the generator itself would notice and abort
     const JointProgressive joint;
     const DomainLinter linter(&joint);
     integrator.trace(&linter);
     expectOnly(linter.findings(), Fault::slotTwice, words);
-#endif
 }
 
 /// Slots have no meaning below distribution and below large splits.
@@ -359,6 +357,54 @@ TEST(DomainLinter, LetsSlotsBeOrdinaryWhereTheyAre) {
     RixRNG(RixRNG(rng, kBxdf, &parent, RixRNG::Split{kMaxJointSplit}), jointScramble(2), &slot)
         .DrawSample2D(0);
     expectOnly(linter.findings(), Fault::slotTwice, "slot 2 twice on a path: ");
+}
+
+/// What an integrator does that makes an array of its own for some of a slot's points, and fills it
+/// by hand: a new domain, or the slot's own.
+TEST(DomainLinter, FindsSlotsThatAViewLoses) {
+    for (const bool derives : {false, true}) {
+        for (const bool raw : {false, true}) {
+            const JointProgressive joint;
+            const DomainLinter linter(&joint);
+            SampleCtx camera[4] = {{77, 0}, {77, 1}, {77, 2}, {77, 3}}, slots[4], some[2];
+            const RixRNG rng(camera, 4, &linter);
+            const RixRNG slot(rng, jointScramble(2), slots);
+            RtFloat2 xi[4];
+            slot.DrawSamples2D(xi);
+            const RixRNG view(slot, some, 2);
+            for (unsigned k = 0; k < 2; ++k) {
+                const unsigned i = 2 * k + 1;
+                some[k] = slots[i];
+                if (derives) some[k] = raw ? slots[i].NewDomain(kBxdf) : slot.NewDomain(i, kBxdf);
+            }
+            view.DrawSamples2D(xi);
+            const auto list = linter.findings();
+            const auto isLost = [](const auto& found) { return found.fault == Fault::slotLost; };
+            EXPECT_EQ(std::count_if(list.begin(), list.end(), isLost), 1) << textOf(list);
+            EXPECT_NE(textOf(list).find("camera > 0x6a6f6970 (view): contexts"), std::string::npos)
+                << textOf(list);
+        }
+    }
+}
+
+/// The same by indices, and views of domains that have no slot to lose.
+TEST(DomainLinter, LetsSubsetsAndOtherViewsBe) {
+    const JointProgressive joint;
+    const DomainLinter linter(&joint);
+    SampleCtx camera[4] = {{77, 0}, {77, 1}, {77, 2}, {77, 3}}, slots[4], some[2], rest[2];
+    const RixRNG rng(camera, 4, &linter);
+    const RixRNG slot(rng, jointScramble(2), slots);
+    RtFloat2 xi[4];
+    const unsigned odd[] = {3, 1}, even[] = {0, 2};
+    RixRNG(slot, odd, 2, some).DrawSamples2D(xi);
+    RixRNG(slot, even, 2, rest).DrawSamples2D(xi);
+    RixRNG(slot, kBxdf, odd, 2, some).DrawSamples2D(xi);
+    RixRNG(slot, jointScramble(3), even, 2, rest, RixRNG::Split{1}).DrawSamples2D(xi);
+    const RixRNG volume(rng, kVolume, slots);
+    const RixRNG view(volume, some, 2);
+    for (unsigned k = 0; k < 2; ++k) some[k] = slots[odd[k]];
+    view.DrawSamples2D(xi);
+    EXPECT_EQ(textOf(linter.findings()), "");
 }
 
 TEST(DomainLinter, FindsSkippedSampleids) {

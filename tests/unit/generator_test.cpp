@@ -16,14 +16,14 @@ using Scramble = RixRNG::Scramble;
 
 constexpr Scramble kScramble = static_cast<Scramble>(0x2d96c92bu);
 
-/// Samples that tell what they were asked with, and a record of what ForChild was.
+/// Samples that tell what they were asked with, and a record of which domains were derived.
 class TellTale : public RixRNG::Generator {
 public:
     struct Call {
+        RixRNG::Order parent;
         Scramble scramble;
         unsigned split;
     };
-    const RixRNG::Generator* child = this;
     mutable std::vector<Call> calls;
 
     float Sample1D(const SampleCtx& sc, unsigned i) const override {
@@ -35,9 +35,12 @@ public:
     RtFloat3 Sample3D(const SampleCtx& sc, unsigned i) const override {
         return {Sample1D(sc, i), 2.0f, 3.0f};
     }
-    const RixRNG::Generator* ForChild(Scramble scramble, unsigned split) const override {
-        calls.push_back({scramble, split});
-        return child;
+    RixRNG::Order ChildOrder(RixRNG::Order parent, Scramble scramble,
+                             unsigned split) const override {
+        calls.push_back({parent, scramble, split});
+        RixRNG::Order order = wellstrat::deriveOrder(parent, scramble, split);
+        order.tag = parent.tag + 100;
+        return order;
     }
 };
 
@@ -51,7 +54,7 @@ public:
     }
 };
 
-/// Keeps the interface's default ForChild.
+/// What the interface's documentation asks of a generator, and no more.
 class Minimal : public RixRNG::Generator {
 public:
     float Sample1D(const SampleCtx&, unsigned) const override { return 0.25f; }
@@ -134,33 +137,88 @@ TEST_F(GeneratorTest, EveryKindOfChildInheritsTheGenerator) {
     EXPECT_EQ(RixRNG(&parent, kScramble, children, RixRNG::Split{4}).generator, &minimal);
 }
 
-TEST_F(GeneratorTest, ForChildHearsTheScrambleAndTheSplit) {
-    TellTale tellTale;
-    const Minimal other;
-    tellTale.child = &other;
+TEST_F(GeneratorTest, ChildOrderHearsTheParentTheScrambleAndTheSplit) {
+    const TellTale tellTale;
+    const unsigned indices[] = {2, 0};
     const RixRNG parent(contexts, 4, &tellTale);
     const RixRNG plain(parent, kScramble, children);
     const RixRNG split(parent, kScramble, children, RixRNG::Split{6});
-    const RixRNG distrib(parent, kScramble, children, RixRNG::Distrib{9});
-    ASSERT_EQ(tellTale.calls.size(), 3u);
+    const RixRNG distrib(plain, kScramble, children, RixRNG::Distrib{9});
+    const RixRNG some(parent, kScramble, indices, 2, children, RixRNG::Split{6});
+    ASSERT_EQ(tellTale.calls.size(), 4u);
     EXPECT_EQ(tellTale.calls[0].split, 1u);
     EXPECT_EQ(tellTale.calls[1].split, 6u);
     EXPECT_EQ(tellTale.calls[2].split, 0u);
+    EXPECT_EQ(tellTale.calls[3].split, 6u);
     for (const TellTale::Call& call : tellTale.calls) EXPECT_EQ(call.scramble, kScramble);
-    EXPECT_EQ(plain.generator, &other);
-    EXPECT_EQ(split.generator, &other);
-    EXPECT_EQ(distrib.generator, &other);
-    EXPECT_EQ(RixRNG(parent, children, 4).generator, &tellTale) << "takes the parent's own";
-    EXPECT_EQ(tellTale.calls.size(), 3u);
+    EXPECT_EQ(parent.order, RixRNG::Order{});
+    EXPECT_EQ(tellTale.calls[2].parent, plain.order);
+    EXPECT_EQ(plain.order.tag, 100u);
+    EXPECT_EQ(distrib.order.tag, 200u);
+    EXPECT_EQ(some.order, split.order);
+    EXPECT_EQ(RixRNG(plain, indices, 2, children).order, plain.order);
+    EXPECT_EQ(RixRNG(plain, children, 4).order, RixRNG::Order{});
+    EXPECT_EQ(tellTale.calls.size(), 4u);
 }
 
-TEST_F(GeneratorTest, ForChildMayGoBackToTheTables) {
-    TellTale tellTale;
-    tellTale.child = nullptr;
-    const RixRNG child(RixRNG(contexts, 4, &tellTale), kScramble, children);
-    EXPECT_EQ(child.generator, nullptr);
-    EXPECT_EQ(child.DrawSample1D(0),
-              RixProgressiveSample1D(children[0].patternid, children[0].sampleid));
+/// Tells the order that it was asked with, and derives domains of its own.
+class OrderTeller : public Minimal {
+public:
+    mutable unsigned batches = 0;
+    float OrderedSample1D(const SampleCtx& sc, unsigned, RixRNG::Order order) const override {
+        return static_cast<float>(sc.patternid + 1000u * order.splits);
+    }
+    void MultiOrderedSample1D(unsigned n, const SampleCtx& sc, RixRNG::Order order,
+                              float* xis) const override {
+        ++batches;
+        for (unsigned i = 0; i < n; ++i) xis[i] = OrderedSample1D((&sc)[i], i, order);
+    }
+    void MultiNewDomainSplit(unsigned n, const SampleCtx& parents, RixRNG::Order order, Scramble,
+                             unsigned newnumsamples, SampleCtx* out) const override {
+        for (unsigned i = 0; i < n; ++i) {
+            const SampleCtx parent = (&parents)[i];
+            out[i] = {parent.patternid + 1, parent.sampleid * newnumsamples + order.splits};
+        }
+    }
+    void MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, RixRNG::Order, Scramble,
+                               unsigned newsampleid, SampleCtx* out) const override {
+        for (unsigned i = 0; i < n; ++i) out[i] = {(&parents)[i].patternid + 2, newsampleid};
+    }
+};
+
+TEST_F(GeneratorTest, DrawsKnowTheOrder) {
+    const OrderTeller teller;
+    RixRNG split(RixRNG(contexts, 4, &teller), kScramble, children, RixRNG::Split{3});
+    EXPECT_EQ(split.DrawSample1D(2), 33.0f + 1 + 3000);
+    float xis[4];
+    split.DrawSamples1D(xis);
+    EXPECT_EQ(xis[3], 44.0f + 1 + 3000);
+    EXPECT_EQ(split.GenerateSample1D(3), xis[3]);
+    EXPECT_EQ(teller.batches, 1u);
+}
+
+TEST_F(GeneratorTest, AGeneratorMayDeriveDomainsOfItsOwn) {
+    const OrderTeller teller;
+    const RixRNG parent(contexts, 4, &teller);
+    const RixRNG split(parent, kScramble, children, RixRNG::Split{3});
+    EXPECT_EQ(children[2].patternid, 34u);
+    EXPECT_EQ(children[2].sampleid, 2u * 3 + 1);
+    SampleCtx below[4];
+    split.NewDomainsSplit(kScramble, 2, below);
+    for (unsigned i = 0; i < 4; ++i) {
+        EXPECT_EQ(below[i].patternid, children[i].patternid + 1);
+        EXPECT_EQ(below[i].sampleid, children[i].sampleid * 2 + 3);
+        const SampleCtx single = split.NewDomainSplit(i, kScramble, 2);
+        EXPECT_EQ(single.patternid, below[i].patternid);
+        EXPECT_EQ(single.sampleid, below[i].sampleid);
+        EXPECT_EQ(parent.NewDomain(i, kScramble).patternid, contexts[i].patternid + 1);
+        EXPECT_EQ(parent.NewDomainDistrib(i, kScramble, 9).patternid, contexts[i].patternid + 2);
+        EXPECT_EQ(parent.NewDomainDistrib(i, kScramble, 9).sampleid, 9u);
+    }
+    const unsigned indices[] = {3, 1};
+    const RixRNG some(parent, kScramble, indices, 2, below, RixRNG::Distrib{5});
+    EXPECT_EQ(below[0].patternid, contexts[3].patternid + 2);
+    EXPECT_EQ(below[1].patternid, contexts[1].patternid + 2);
 }
 
 TEST_F(GeneratorTest, NullStaysNull) {

@@ -40,11 +40,11 @@ struct Domain {
 bool operator==(Domain a, Domain b) { return a.slot == b.slot && a.split == b.split; }
 
 constexpr Domain kNone{kJointSlots, 1};
+constexpr Domain kLost{kJointSlots, 0};
 
 Domain domainOf(const RixRNG& rng) {
-    const auto* joint = dynamic_cast<const JointProgressive*>(rng.generator);
-    EXPECT_NE(joint, nullptr);
-    return joint != nullptr ? Domain{joint->slot(), joint->split()} : Domain{99, 99};
+    EXPECT_NE(dynamic_cast<const JointProgressive*>(rng.generator), nullptr);
+    return {rng.order.slot, rng.order.splits};
 }
 
 class JointTest : public testing::Test {
@@ -95,9 +95,8 @@ TEST_F(JointTest, OrdinaryDomainsArePaddedAtAnyDepth) {
 }
 
 TEST_F(JointTest, SlotsAreTakenAtAnyDepth) {
-    const JointProgressive ofFirst, ofSecond; // debug builds let each have a slot once on a path
-    const RixRNG first({contexts.data(), n, &ofFirst}, kOrdinary, a.data());
-    const RixRNG between({contexts.data(), n, &ofSecond}, kOrdinary, a.data());
+    const RixRNG first(camera, kOrdinary, a.data());
+    const RixRNG between(camera, kOrdinary, a.data());
     const RixRNG second(&between, kOther, b.data());
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
         expectDrawsFrom(RixRNG(camera, jointScramble(slot), c.data()), {slot, 1});
@@ -117,10 +116,18 @@ TEST_F(JointTest, ASlotIsNotInherited) {
     EXPECT_EQ(domainOf(split), (Domain{kJointSlots, 2}));
 }
 
-TEST_F(JointTest, AnotherViewKeepsTheSlot) {
-    const RixRNG slot(camera, jointScramble(4), a.data(), RixRNG::Split{6});
-    expectDrawsFrom(RixRNG(slot, a.data() + 2, n - 2), {4, 6});
-    expectDrawsFrom(RixRNG(&slot, a.data(), n), {4, 6});
+TEST_F(JointTest, AViewHasNoSlotAndASubsetTheSameOne) {
+    const RixRNG slot(camera, jointScramble(4), a, RixRNG::Split{6});
+    const RixRNG view(slot, a.data() + 2, n - 2), viewByPointer(&slot, a, n);
+    expectPadded(view);
+    expectPadded(viewByPointer);
+    EXPECT_EQ(view.order, Order{});
+    std::vector<unsigned> odd;
+    for (unsigned i = 1; i < n; i += 2) odd.push_back(i);
+    expectDrawsFrom(RixRNG(slot, odd, n / 2, b), {4, 6});
+    expectDrawsFrom(RixRNG(&slot, odd, n / 2, b), {4, 6});
+    expectDrawsFrom(RixRNG(camera, jointScramble(4), odd, n / 2, c, RixRNG::Split{6}), {4, 6});
+    expectPadded(RixRNG(slot, kOrdinary, odd, n / 2, c));
 }
 
 TEST_F(JointTest, ScramblesBeyondTheSlotsAreOrdinary) {
@@ -143,31 +150,28 @@ TEST_F(JointTest, SplitsMultiply) {
 }
 
 // 2^32 / 8 overflows in 32 bits to a product that would look small.
-TEST_F(JointTest, TooManyBranchesAreTheDefault) {
+TEST_F(JointTest, TooManyBranchesArePadded) {
     const RixRNG first(camera, kOrdinary, a.data(), RixRNG::Split{8});
     for (const unsigned split : {33u, 256u, 257u, 0x20000000u, 0x20000001u, 0xffffffffu}) {
         const RixRNG child(first, jointScramble(0), b.data(), RixRNG::Split{split});
-        EXPECT_EQ(child.generator, nullptr) << split;
-        EXPECT_EQ(RixRNG(child, jointScramble(0), c.data()).generator, nullptr);
+        EXPECT_EQ(domainOf(child), kLost) << split;
+        expectPadded(child);
+        EXPECT_EQ(domainOf(RixRNG(child, jointScramble(0), c.data())), kLost);
     }
-    EXPECT_EQ(RixRNG(camera, kOrdinary, b.data(), RixRNG::Split{257}).generator, nullptr);
+    EXPECT_EQ(domainOf(RixRNG(camera, kOrdinary, b.data(), RixRNG::Split{257})), kLost);
     EXPECT_EQ(domainOf({camera, jointScramble(9), b.data(), RixRNG::Split{256}}), (Domain{9, 256}));
 }
 
-TEST_F(JointTest, DistributionIsTheDefault) {
-    EXPECT_EQ(RixRNG(camera, kOrdinary, a.data(), RixRNG::Distrib{0}).generator, nullptr);
-    EXPECT_EQ(RixRNG(camera, jointScramble(0), a.data(), RixRNG::Distrib{5}).generator, nullptr);
-    EXPECT_EQ(RixRNG(camera, jointScramble(0), a.data(), RixRNG::Split{0}).generator, nullptr);
-}
-
-TEST_F(JointTest, AllObjectsAreAlike) {
-    const JointProgressive other;
-    const RixRNG second(contexts.data(), n, &other);
-    const RixRNG one(camera, jointScramble(7), a.data()), two(second, jointScramble(7), b.data());
-    EXPECT_EQ(domainOf(one), domainOf(two));
-#ifdef NDEBUG // a debug build tells them apart (src/debug/slot_watch.h)
-    EXPECT_EQ(one.generator, two.generator) << "children are made once";
-#endif
+TEST_F(JointTest, DistributionIsPaddedAndSoIsAllBelow) {
+    for (const RixRNG& child : {RixRNG(camera, kOrdinary, a.data(), RixRNG::Distrib{0}),
+                                RixRNG(camera, jointScramble(0), b.data(), RixRNG::Distrib{5}),
+                                RixRNG(camera, jointScramble(0), b.data(), RixRNG::Split{0})}) {
+        EXPECT_EQ(domainOf(child), kLost);
+        expectPadded(child);
+        const RixRNG below(child, jointScramble(1), c.data());
+        EXPECT_EQ(domainOf(below), kLost);
+        expectPadded(below);
+    }
 }
 
 TEST_F(JointTest, OtherGeneratorsTakeNoNoticeOfSlots) {

@@ -428,4 +428,30 @@ TEST(Domains, SiblingsWithDifferentScramblesAreUncorrelatedWithinAPixel) {
     }
 }
 
+/// A batch of any size draws and derives what its points do one by one.
+TEST(RixRNG, FewPointsDrawWhatManyDo) {
+    constexpr unsigned kMost = 20;
+    SampleCtx contexts[kMost], split[kMost], distrib[kMost];
+    for (unsigned i = 0; i < kMost; ++i) contexts[i] = {HashToUnsigned(3, i), i * i * i * 61};
+    for (unsigned n = 0; n <= kMost; ++n) {
+        const RixRNG rng(contexts, n);
+        float z[kMost];
+        RtFloat2 xy[kMost];
+        RtFloat3 xyz[kMost];
+        rng.DrawSamples1D(z);
+        rng.DrawSamples2D(xy);
+        rng.DrawSamples3D(xyz);
+        const RixRNG bySplit(rng, kBxdf, split, RixRNG::Split{3});
+        const RixRNG byDistrib(rng, kBxdf, distrib, RixRNG::Distrib{3});
+        for (unsigned i = 0; i < n; ++i) {
+            const SampleCtx sc = contexts[i];
+            EXPECT_EQ(z[i], RixProgressiveSample1D(sc.patternid, sc.sampleid)) << n << " " << i;
+            EXPECT_EQ(xy[i], RixProgressiveSample2D(sc.patternid, sc.sampleid)) << n << " " << i;
+            EXPECT_EQ(xyz[i], RixProgressiveSample3D(sc.patternid, sc.sampleid)) << n << " " << i;
+            expectEqual(split[i], sc.NewDomainSplit(kBxdf, 3));
+            expectEqual(distrib[i], sc.NewDomainDistrib(kBxdf, 3));
+        }
+    }
+}
+
 } // namespace

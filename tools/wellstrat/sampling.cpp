@@ -21,9 +21,10 @@ const std::vector<NamedGenerator>& namedGenerators() {
 
 const std::vector<NamedGenerator>& sampleGenerators() {
     static const std::vector<NamedGenerator> generators = [] {
+        static const JointProgressive joint;
         std::vector<NamedGenerator> all = namedGenerators();
-        all.push_back({"joint", "the tables in the order of slot 0 of joint stratification",
-                       JointProgressive().ForChild(jointScramble(0), 1)});
+        all.push_back({"joint", "the tables in the order of slot 0 of joint stratification", &joint,
+                       jointOrder(0)});
         return all;
     }();
     return generators;

@@ -18,6 +18,7 @@ struct NamedGenerator {
     const char* name;
     const char* description;
     const Generator* generator; ///< as RixRNG takes it: null is the tables
+    Order order = {};           ///< of the domain that is drawn
 };
 
 /// All of them.
@@ -46,6 +47,7 @@ template <typename Visitor>
 void drawSamples(const SampleRun& run, Visitor&& visit) {
     SampleCtx context{run.pattern, static_cast<uint32_t>(run.first)};
     RixRNG rng(&context, 1, run.generator->generator);
+    rng.order = run.generator->order;
     for (uint64_t i = 0; i < run.count; ++i) {
         float xi[3] = {};
         if (run.dims == 1) {

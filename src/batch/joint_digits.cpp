@@ -1,46 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "batch/joint_orders.h"
+#include "batch/joint_digits.h"
 
-#include "wellstrat/joint_bank.h"
-#include "wellstrat/sobol.h"
+#include "core/joint_place.h"
 
 namespace wellstrat {
 inline namespace stream1 {
+namespace batch {
 namespace {
 
-/// U_d or P U_d times the index, column by column.
-constexpr uint32_t placeOf(unsigned slot, unsigned swap, uint32_t index) {
-    uint32_t place = 0;
-    for (unsigned k = 0; k < kTableSizeLog2; ++k) {
-        if (index >> k & 1u) place ^= kJointBank[slot][k];
-    }
-    return swap == 0 ? place : pascalTimes(place);
-}
-
-constexpr JointOrders makeOrders() {
-    JointOrders orders{};
-    for (unsigned slot = 0; slot < kJointSlots; ++slot) {
-        for (unsigned swap = 0; swap < 2; ++swap) {
-            for (unsigned i = 0; i < 256; ++i) {
-                orders.low[slot][swap][i] = static_cast<uint8_t>(placeOf(slot, swap, i));
-            }
-            for (unsigned i = 0; i < kTableSize / 256; ++i) {
-                orders.high[slot][swap][i] = static_cast<uint16_t>(placeOf(slot, swap, 256 * i));
-            }
-        }
-    }
-    return orders;
-}
-
-/// As JointDigits has it.
+/// A place as JointDigits has it.
 constexpr uint32_t reversedPlaceOf(unsigned slot, unsigned swap, uint32_t index) {
-    const uint32_t place = placeOf(slot, swap, index);
+    const uint32_t place = jointPlaceOf(slot, swap, index);
     return (place & ~0xffu) | reverseByte(place);
 }
 
-constexpr batch::JointDigits makeDigits(unsigned slot) {
-    batch::JointDigits digits{};
+constexpr JointDigits makeDigits(unsigned slot) {
+    JointDigits digits{};
     for (unsigned swap = 0; swap < 2; ++swap) {
         for (unsigned k = 0; k < 4; ++k) {
             for (unsigned digit = 0; digit < 8; ++digit) {
@@ -61,11 +37,6 @@ constexpr batch::JointDigits makeDigits(unsigned slot) {
 
 } // namespace
 
-namespace detail {
-constexpr JointOrders kJointOrders = makeOrders();
-} // namespace detail
-
-namespace batch {
 constexpr JointDigits kJointDigits[kJointSlots] = {
     makeDigits(0),  makeDigits(1),  makeDigits(2),  makeDigits(3), makeDigits(4),  makeDigits(5),
     makeDigits(6),  makeDigits(7),  makeDigits(8),  makeDigits(9), makeDigits(10), makeDigits(11),
