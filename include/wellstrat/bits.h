@@ -50,6 +50,17 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseLowByte(uint32_t x) {
 /// The low 8 bits of `x` in opposite order, the others dropped.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseByte(uint32_t x) { return reverseLowByte(x) >> 24; }
 
+/// How often 2 divides `x`, which is not 0.
+WELLSTRAT_HOST_DEVICE constexpr unsigned trailingZeros(uint32_t x) {
+#if defined(__GNUC__)
+    return static_cast<unsigned>(__builtin_ctz(x));
+#else
+    unsigned count = 0;
+    for (; (x & 1u) == 0; x >>= 1) ++count;
+    return count;
+#endif
+}
+
 /// Maps a uniform word to [0, n), n <= 512, by its upper 23 bits and without a division or a 64-bit
 /// product: floor(x / 2^9 * n / 2^23). No result is likelier than another by more than n / 2^23.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t scaleToRange(uint32_t x, uint32_t n) {

@@ -14,7 +14,7 @@ inline namespace stream1 {
 namespace detail {
 
 /// Up to so many points are few (docs/performance.md).
-constexpr unsigned kFewPoints = 4;
+constexpr unsigned kFewPoints = 7;
 
 // The tables are built (lookup.h) for all draws, as each RixRNG sees to.
 

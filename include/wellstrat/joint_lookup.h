@@ -28,10 +28,12 @@
 namespace wellstrat {
 inline namespace stream1 {
 
-/// U_d i and P U_d i by bytes of i, for all slots d: order(i) = low[i % 256] ^ high[i / 256].
+/// The places U_d i and P U_d i of an index by its low byte and what is above, for all slots d:
+/// low[d][i % 256] ^ high[d][i / 256]. Bits 0 to 7 of a place, a number of 12 bits, are in opposite
+/// order, as in the tables; the place by P U_d stands 16 bits higher.
 struct JointOrders {
-    uint8_t low[kJointSlots][2][256];
-    uint16_t high[kJointSlots][2][kTableSize / 256];
+    uint32_t low[kJointSlots][256];
+    uint32_t high[kJointSlots][kTableSize / 256];
 };
 
 namespace detail {
@@ -44,11 +46,18 @@ extern WELLSTRAT_API const JointOrders kJointOrders;
 /// The bit of a pattern's seed that decides whether its order is U_d or P U_d.
 constexpr uint32_t kJointSwapBit = 16;
 
-/// U_d or P U_d times `index` in [0, kTableSize), for a pattern with this seed.
+/// A place with its low byte in opposite order.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t withReversedByte(uint32_t place) {
+    return (place & ~0xffu) | reverseByte(place);
+}
+
+/// U_d or P U_d times `index` in [0, kTableSize), for a pattern with this seed, with bits 0 to 7 of
+/// the result in opposite order.
 inline uint32_t jointPlace(uint32_t seed, unsigned slot, uint32_t index) {
-    const unsigned swap = (seed & kJointSwapBit) != 0;
-    return detail::kJointOrders.low[slot][swap][index % 256] ^
-           detail::kJointOrders.high[slot][swap][index / 256];
+    static_assert(kJointSwapBit == 16, "how much higher the second place stands");
+    const uint32_t both =
+        detail::kJointOrders.low[slot][index % 256] ^ detail::kJointOrders.high[slot][index / 256];
+    return (both >> (seed & kJointSwapBit)) & (kTableSize - 1);
 }
 
 /// The samples of a slot are stratified below this sampleid, that of the last visit of which all
@@ -57,10 +66,17 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t jointStratifiedSamples(unsigned split) 
     return split == 1 ? kStratifiedSamples : kStratifiedSamples - kStratifiedSamples % split;
 }
 
+/// Whether a sample is beyond these. Most are far below, which needs no division.
+WELLSTRAT_HOST_DEVICE constexpr bool isJointRandom(uint32_t sampleid, unsigned split) {
+    return WELLSTRAT_UNLIKELY(sampleid > kStratifiedSamples - kMaxJointSplit) &&
+           sampleid >= jointStratifiedSamples(split);
+}
+
 /// The low bits of a visit that its order changes: all 12, but at the end of the stratified visits
 /// only those of the largest aligned run of visits that ends before `visits`. `visit` < `visits`.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t jointOrderMask(uint32_t visit, uint32_t visits) {
     uint32_t differing = visit ^ visits;
+    if (differing >= kTableSize) return kTableSize - 1; // nearly all
     for (unsigned shift = 1; shift < 32; shift *= 2) differing |= differing >> shift;
     return differing / 2 & (kTableSize - 1);
 }
@@ -71,55 +87,114 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t jointOrderMask(uint32_t visit, uint32_t
 /// own, so that aligned runs of up to 2^v stay such runs.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t jointBranch(uint32_t seed, uint32_t visit, uint32_t branch,
                                                      unsigned split) {
-    const uint32_t evenPart = split & (0u - split), odd = split / evenPart;
+    const unsigned evenLog2 = trailingZeros(split);
+    const uint32_t odd = split >> evenLog2, run = branch >> evenLog2;
+    const uint32_t lowBits = (1u << evenLog2) - 1;
     const uint32_t hash = mixBits(seed + visit * detail::kGolden);
-    const uint32_t run = branch / evenPart, lowBits = evenPart - 1;
-    const uint32_t newRun = ((run << (hash & 7u)) + scaleToRange(hash, odd)) % odd;
+    const uint32_t newRun = odd == 1 ? 0 : ((run << (hash & 7u)) + scaleToRange(hash, odd)) % odd;
     const uint32_t shuffled = shuffledPlace(hash + run * detail::kGolden, branch & lowBits);
-    return newRun * evenPart + (reverseByte(shuffled) & lowBits);
+    return (newRun << evenLog2) + (reverseByte(shuffled) & lowBits);
 }
 
-/// The sampleid at which a table in its own order would have the point of a sample, but for the
-/// shift within the group; `sampleid` is below jointStratifiedSamples(split), and so is the result.
+/// Where the point of a sample lies in the tables. The last 8 bits of the seed are added to the
+/// place in the group, so that patterns start anywhere in it: patterns of one table have more
+/// orders than two, and lookups spread over the lines of the cache.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t jointOffsetOf(uint32_t seed, uint32_t block,
+                                                       uint32_t place) {
+    const uint32_t row = (place / kGroupSize) * kTableCount + tableOfBlock(seed, block);
+    return row * kGroupSize + ((place ^ seed) & (kGroupSize - 1));
+}
+
+/// The same for a sample without splits, `sampleid` in [0, kStratifiedSamples).
+inline uint32_t jointOffset(uint32_t seed, uint32_t sampleid, unsigned slot) {
+    return jointOffsetOf(seed, sampleid / kTableSize,
+                         jointPlace(seed, slot, sampleid % kTableSize));
+}
+
+/// The sampleid at which a table in its own order would have the point of a sample under splits by
+/// `split` in all, but for the shift within the group; `sampleid` is below
+/// jointStratifiedSamples(split), and so is the result.
 inline uint32_t jointIndex(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
-    if (split == 1) {
-        return (sampleid & ~(kTableSize - 1)) | jointPlace(seed, slot, sampleid % kTableSize);
-    }
     const uint32_t visit = sampleid / split;
     const uint32_t mask = jointOrderMask(visit, kStratifiedSamples / split);
-    const uint32_t place = (visit & ~mask) | jointPlace(seed, slot, visit & mask);
+    const uint32_t ordered = withReversedByte(jointPlace(seed, slot, visit & mask));
+    const uint32_t place = (visit & ~mask) | ordered;
     return place * split + jointBranch(seed, visit, sampleid % split, split);
 }
 
-/// Where the point of a sample lies in the tables. `sampleid` as for jointIndex. The last 8 bits of
-/// the seed are added to the place in the group, so that patterns start anywhere in it: patterns of
-/// one table have more orders than two, and lookups spread over the lines of the cache.
+/// Where that point lies in the tables.
 inline uint32_t jointOffset(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
     const uint32_t index = jointIndex(seed, sampleid, slot, split);
-    const uint32_t offset = tableOffset(tableOfBlock(seed, index / kTableSize), index % kTableSize);
-    return offset ^ (seed & (kGroupSize - 1));
+    return jointOffsetOf(seed, index / kTableSize, withReversedByte(index % kTableSize));
 }
+
+namespace detail {
+
+// Samples of split slots, and those beyond the first 4096 of a pattern.
+
+inline bool isOtherJoint(uint32_t sampleid, unsigned split) {
+    return WELLSTRAT_UNLIKELY(split != 1 || sampleid >= kTableSize);
+}
+
+inline uint32_t otherJointOffset(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
+    return split == 1 ? jointOffset(seed, sampleid, slot)
+                      : jointOffset(seed, sampleid, slot, split);
+}
+
+WELLSTRAT_NOINLINE inline float otherJointSample1D(const uint32_t* words, uint32_t patternid,
+                                                   uint32_t sampleid, unsigned slot,
+                                                   unsigned split) {
+    if (isJointRandom(sampleid, split)) return randomSample1D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleZ(words, seed, otherJointOffset(seed, sampleid, slot, split));
+}
+
+WELLSTRAT_NOINLINE inline Float2 otherJointSample2D(const uint32_t* words, uint32_t patternid,
+                                                    uint32_t sampleid, unsigned slot,
+                                                    unsigned split) {
+    if (isJointRandom(sampleid, split)) return randomSample2D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleXY(words, seed, otherJointOffset(seed, sampleid, slot, split));
+}
+
+WELLSTRAT_NOINLINE inline Float3 otherJointSample3D(const uint32_t* words, uint32_t patternid,
+                                                    uint32_t sampleid, unsigned slot,
+                                                    unsigned split) {
+    if (isJointRandom(sampleid, split)) return randomSample3D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    const uint32_t offset = otherJointOffset(seed, sampleid, slot, split);
+    const Float2 xy = tableSampleXY(words, seed, offset);
+    return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
+}
+
+} // namespace detail
 
 /// Sample `sampleid` of pattern `patternid`, drawn from a slot under splits by `split` in all, from
 /// the tables at `words`: z, (x, y) and (x, y, z) of its point in [0, 1). Any two integers are
 /// valid. Safe in any thread.
 inline float jointSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                            unsigned slot, unsigned split) {
-    if (sampleid >= jointStratifiedSamples(split)) return randomSample1D(patternid, sampleid);
+    if (detail::isOtherJoint(sampleid, split)) {
+        return detail::otherJointSample1D(words, patternid, sampleid, slot, split);
+    }
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleZ(words, seed, jointOffset(seed, sampleid, slot, split));
+    return tableSampleZ(words, seed, jointOffset(seed, sampleid, slot));
 }
 inline Float2 jointSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
-    if (sampleid >= jointStratifiedSamples(split)) return randomSample2D(patternid, sampleid);
+    if (detail::isOtherJoint(sampleid, split)) {
+        return detail::otherJointSample2D(words, patternid, sampleid, slot, split);
+    }
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleXY(words, seed, jointOffset(seed, sampleid, slot, split));
+    return tableSampleXY(words, seed, jointOffset(seed, sampleid, slot));
 }
 inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
-    if (sampleid >= jointStratifiedSamples(split)) return randomSample3D(patternid, sampleid);
+    if (detail::isOtherJoint(sampleid, split)) {
+        return detail::otherJointSample3D(words, patternid, sampleid, slot, split);
+    }
     const uint32_t seed = patternSeed(patternid);
-    const uint32_t offset = jointOffset(seed, sampleid, slot, split);
+    const uint32_t offset = jointOffset(seed, sampleid, slot);
     const Float2 xy = tableSampleXY(words, seed, offset);
     return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
 }

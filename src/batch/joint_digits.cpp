@@ -9,26 +9,21 @@ inline namespace stream1 {
 namespace batch {
 namespace {
 
-/// A place as JointDigits has it.
-constexpr uint32_t reversedPlaceOf(unsigned slot, unsigned swap, uint32_t index) {
-    const uint32_t place = jointPlaceOf(slot, swap, index);
-    return (place & ~0xffu) | reverseByte(place);
-}
-
 constexpr JointDigits makeDigits(unsigned slot) {
     JointDigits digits{};
-    for (unsigned swap = 0; swap < 2; ++swap) {
-        for (unsigned k = 0; k < 4; ++k) {
-            for (unsigned digit = 0; digit < 8; ++digit) {
-                digits.by3[k][digit] |= reversedPlaceOf(slot, swap, digit << 3 * k) << 16 * swap;
-            }
+    for (unsigned k = 0; k < 4; ++k) {
+        for (unsigned digit = 0; digit < 8; ++digit) {
+            digits.by3[k][digit] = bothJointPlaces(slot, digit << 3 * k);
         }
-        for (unsigned k = 0; k < 3; ++k) {
-            for (unsigned digit = 0; digit < 16; ++digit) {
-                const uint32_t place = reversedPlaceOf(slot, swap, digit << 4 * k);
-                digits.by4[k][digit] |= place << 16 * swap;
+    }
+    for (unsigned k = 0; k < 3; ++k) {
+        for (unsigned digit = 0; digit < 16; ++digit) {
+            const uint32_t both = bothJointPlaces(slot, digit << 4 * k);
+            digits.by4[k][digit] = both;
+            for (unsigned swap = 0; swap < 2; ++swap) {
+                const uint32_t place = both >> 16 * swap;
                 digits.low[swap][k][digit] = static_cast<uint8_t>(place);
-                digits.high[swap][digit] = static_cast<uint8_t>(place >> 8);
+                digits.high[swap][digit] = static_cast<uint8_t>(place >> 8 & 0xfu);
             }
         }
     }
