@@ -69,8 +69,8 @@ private:
     RtColorRGB m_eta, m_kappa;
 };
 
-// Gold at 630, 532 and 465 nm, rounded: Johnson and Christy 1972, Physical Review B 6(12).
-const RtColorRGB k_eta(.18f, .54f, 1.34f), k_kappa(3.1f, 2.2f, 1.9f);
+// Roughly those of gold.
+const RtColorRGB k_eta(.2f, .5f, 1.3f), k_kappa(3.4f, 2.2f, 1.9f);
 
 class MetalFactory : public RixBxdfFactory {
 public:
@@ -99,8 +99,7 @@ int main() {
     CHECK(sampled(plugin.factory, surfaceDirection(-.5f)).density == 0.f); // the back is black
     checkReciprocity(plugin.factory);
 
-    // Almost a mirror: seen at right angles, what the formula for these says; at others, at least
-    // that much, and all of the light when grazing.
+    // Almost a mirror: seen at right angles what the formula for these says, and then Fresnel's.
     s_alpha = .01f;
     const RtColorRGB one(1.f);
     const RtColorRGB k2 = k_kappa * k_kappa;

@@ -176,7 +176,7 @@ TEST(FresnelTest, LimitsAreDefined) {
 
 // Channels are independent, and the value that is returned is the one that is written.
 TEST(FresnelTest, ColorsAndResultsByPointer) {
-    const RtColorRGB eta(0.18f, 0.42f, 1.37f), kappa(3.42f, 2.35f, 1.77f); // gold
+    const RtColorRGB eta(0.18f, 0.42f, 1.37f), kappa(3.42f, 2.35f, 1.77f);
     RtColorRGB written(0.0f);
     const RtColorRGB returned = RixFresnelConductor(0.7f, eta, kappa, &written);
     EXPECT_EQ(written, returned);
