@@ -45,13 +45,22 @@ constexpr RtColorRGB operator*(RtColorRGB a, RtColorRGB b) {
 }
 constexpr RtColorRGB operator*(RtColorRGB a, RtFloat s) { return {a.r * s, a.g * s, a.b * s}; }
 constexpr RtColorRGB operator*(RtFloat s, RtColorRGB a) { return a * s; }
+constexpr RtColorRGB operator/(RtColorRGB a, RtColorRGB b) {
+    return {a.r / b.r, a.g / b.g, a.b / b.b};
+}
 constexpr RtColorRGB operator/(RtColorRGB a, RtFloat s) { return {a.r / s, a.g / s, a.b / s}; }
 constexpr RtColorRGB& operator+=(RtColorRGB& a, RtColorRGB b) { return a = a + b; }
 constexpr RtColorRGB& operator-=(RtColorRGB& a, RtColorRGB b) { return a = a - b; }
 constexpr RtColorRGB& operator*=(RtColorRGB& a, RtColorRGB b) { return a = a * b; }
 constexpr RtColorRGB& operator*=(RtColorRGB& a, RtFloat s) { return a = a * s; }
+constexpr RtColorRGB& operator/=(RtColorRGB& a, RtColorRGB b) { return a = a / b; }
 constexpr RtColorRGB& operator/=(RtColorRGB& a, RtFloat s) { return a = a / s; }
 constexpr bool operator==(RtColorRGB a, RtColorRGB b) {
     return a.r == b.r && a.g == b.g && a.b == b.b;
 }
 constexpr bool operator!=(RtColorRGB a, RtColorRGB b) { return !(a == b); }
+
+namespace RixConstants {
+constexpr RtColorRGB k_ZeroRGB(0.0f);
+constexpr RtColorRGB k_OneRGB(1.0f);
+} // namespace RixConstants

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What sampling code of Bxdfs, lights and integrators needs besides the samples: choosing among
-// lobes or lights, and directions around a normal. More maps are in wellstrat/warp.h.
+// What the sampling and shading code of Bxdfs, lights and integrators needs besides the samples:
+// small arithmetic, choosing among lobes or lights, frames and directions around a normal,
+// Fresnel's equations. More maps are in wellstrat/warp.h. Vectors that are called directions,
+// normals or axes have length 1; everything is pure and may run in any thread.
 
 #pragma once
 
 #include "RiTypesHelper.h"
+#include "wellstrat/fresnel.h"
 #include "wellstrat/warp.h"
 
 #if defined(_WIN32)
@@ -20,6 +23,7 @@
 
 constexpr RtFloat F_PI = wellstrat::detail::kPi;
 constexpr RtFloat F_TWOPI = wellstrat::detail::kTwoPi;
+constexpr RtFloat F_FOURPI = 2.0f * F_TWOPI;
 constexpr RtFloat F_PIDIV2 = 0.5f * F_PI;
 constexpr RtFloat F_PIDIV4 = 0.25f * F_PI;
 constexpr RtFloat F_INVPI = wellstrat::detail::kInvPi;
@@ -34,6 +38,20 @@ template <class T>
 constexpr T RixMax(T a, T b) {
     return a < b ? b : a;
 }
+
+/// x moved into [low, high]; low <= high. NaN stays NaN.
+template <class T>
+constexpr T RixClamp(T x, T low, T high) {
+    return RixMin(RixMax(x, low), high);
+}
+
+/// (1 - t) a + t b, of floats, colors or vectors: exactly a for t = 0 and b for t = 1. Any t.
+template <class T>
+constexpr T RixMix(T const& a, T const& b, RtFloat t) {
+    return a * (1.0f - t) + b * t;
+}
+
+constexpr RtFloat RixDegreesToRadians(RtFloat degrees) { return degrees * (F_PI / 180.0f); }
 
 /// The sine and cosine of an angle in radians.
 PRMAN_INLINE void RixSinCos(RtFloat angle, RtFloat* sine, RtFloat* cosine) {
@@ -87,10 +105,47 @@ PRMAN_INLINE unsigned RixChooseAndRemap(float& xi, const float* weights, unsigne
     return chosen;
 }
 
+/// An orthonormal right-handed frame (axisX, axisY, normal) whose axisX is `tangent`, turned into
+/// the plane of the surface. The tangent is of any length from 1e-15 to 1e15. Where it is 0, NaN or
+/// within 1e-6 radians of the normal, the frame is that of CreateOrthonormalBasis. `tangent` may be
+/// `axisX`.
+PRMAN_INLINE void RixComputeShadingBasis(RtNormal3 const& normal, RtVector3 const& tangent,
+                                         RtVector3& axisX, RtVector3& axisY) {
+    RtVector3 x = tangent - normal * Dot(normal, tangent);
+    if (x.LengthSq() > 1e-12f * tangent.LengthSq()) {
+        x.Normalize();
+        x -= normal * Dot(normal, x); // what cancelled when the tangent was almost the normal
+        x.Normalize();
+        axisX = x;
+        axisY = Cross(normal, x);
+    } else {
+        normal.CreateOrthonormalBasis(axisX, axisY);
+    }
+}
+
+/// The coordinates of `vector` along the three axes: the inverse of RixChangeBasisFrom.
+PRMAN_INLINE RtVector3 RixChangeBasisTo(RtVector3 const& vector, RtVector3 const& axisX,
+                                        RtVector3 const& axisY, RtVector3 const& axisZ) {
+    return {Dot(vector, axisX), Dot(vector, axisY), Dot(vector, axisZ)};
+}
+
 /// The vector with coordinates `local` along the three axes.
 PRMAN_INLINE RtVector3 RixChangeBasisFrom(RtVector3 const& local, RtVector3 const& axisX,
                                           RtVector3 const& axisY, RtVector3 const& axisZ) {
     return axisX * local.x + axisY * local.y + axisZ * local.z;
+}
+
+/// The direction at the polar angle theta from z and the azimuth phi, in radians from x towards y;
+/// of the coordinate axes, or of the given ones.
+PRMAN_INLINE RtVector3 RixSphericalDirection(RtFloat sinTheta, RtFloat cosTheta, RtFloat phi) {
+    RtFloat sinPhi, cosPhi;
+    RixSinCos(phi, &sinPhi, &cosPhi);
+    return {sinTheta * cosPhi, sinTheta * sinPhi, cosTheta};
+}
+PRMAN_INLINE RtVector3 RixSphericalDirection(RtFloat sinTheta, RtFloat cosTheta, RtFloat phi,
+                                             RtVector3 const& axisX, RtVector3 const& axisY,
+                                             RtVector3 const& axisZ) {
+    return RixChangeBasisFrom(RixSphericalDirection(sinTheta, cosTheta, phi), axisX, axisY, axisZ);
 }
 
 /// The normal turned to the side that `view` is on, and the cosine between the two, at least 0.
@@ -99,6 +154,14 @@ PRMAN_INLINE RtNormal3 RixGetForwardFacingNormal(RtVector3 const& view, RtNormal
     const RtFloat cosine = Dot(view, normal);
     if (cosView) *cosView = std::fabs(cosine);
     return cosine < 0.0f ? -normal : normal;
+}
+
+/// The normal turned away from `view`, and the cosine between the two, at most 0.
+PRMAN_INLINE RtNormal3 RixGetBackwardFacingNormal(RtVector3 const& view, RtNormal3 const& normal,
+                                                  RtFloat* cosView = nullptr) {
+    const RtNormal3 forward = RixGetForwardFacingNormal(view, normal, cosView);
+    if (cosView) *cosView = -*cosView;
+    return -forward;
 }
 
 /// The mirror image of `view` about `normal`; both and the result point away from the surface.
@@ -139,4 +202,35 @@ PRMAN_INLINE void RixUniformDirectionalDistribution(RtFloat2 const& xi, RtNormal
     RtVector3 tangent, bitangent;
     normal.CreateOrthonormalBasis(tangent, bitangent);
     RixUniformDirectionalDistribution(xi, normal, tangent, bitangent, direction, cosTheta);
+}
+
+/// The share of unpolarized light that the boundary of two transparent media reflects, in [0, 1]:
+/// wellstrat::fresnelDielectric. `cosine` is that of the angle between the light, or the viewer,
+/// and the normal, of either sign. `eta` is the refractive index on their side over that on the
+/// other, as in RSL's fresnel(): 1 / 1.5 for a viewer in air before glass. Returned, and written to
+/// *reflected if that is not null.
+PRMAN_INLINE RtFloat RixFresnelDielectric(RtFloat cosine, RtFloat eta,
+                                          RtFloat* reflected = nullptr) {
+    const RtFloat share = wellstrat::fresnelDielectric(cosine, eta);
+    if (reflected) *reflected = share;
+    return share;
+}
+
+/// The same of a metal of refractive index eta + i kappa, over that of the medium before it:
+/// wellstrat::fresnelConductor. At right angles ((eta - 1)^2 + kappa^2) / ((eta + 1)^2 + kappa^2).
+/// Colors have an index for each channel.
+PRMAN_INLINE RtFloat RixFresnelConductor(RtFloat cosine, RtFloat eta, RtFloat kappa,
+                                         RtFloat* reflected = nullptr) {
+    const RtFloat share = wellstrat::fresnelConductor(cosine, eta, kappa);
+    if (reflected) *reflected = share;
+    return share;
+}
+PRMAN_INLINE RtColorRGB RixFresnelConductor(RtFloat cosine, RtColorRGB const& eta,
+                                            RtColorRGB const& kappa,
+                                            RtColorRGB* reflected = nullptr) {
+    const RtColorRGB share(RixFresnelConductor(cosine, eta.r, kappa.r),
+                           RixFresnelConductor(cosine, eta.g, kappa.g),
+                           RixFresnelConductor(cosine, eta.b, kappa.b));
+    if (reflected) *reflected = share;
+    return share;
 }

@@ -67,6 +67,10 @@ struct Float3 {
     WELLSTRAT_HOST_DEVICE constexpr float Dot(const Float3& b) const {
         return x * b.x + y * b.y + z * b.z;
     }
+    /// The absolute value of Dot(b): of unit vectors, the cosine on either side of a surface.
+    WELLSTRAT_HOST_DEVICE float AbsDot(const Float3& b) const {
+        return detail::copySign(Dot(b), 1.0f);
+    }
     WELLSTRAT_HOST_DEVICE constexpr Float3 Cross(const Float3& b) const {
         return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
     }
@@ -88,6 +92,10 @@ WELLSTRAT_HOST_DEVICE constexpr Float2 operator+(Float2 a, Float2 b) {
 WELLSTRAT_HOST_DEVICE constexpr Float2 operator-(Float2 a, Float2 b) {
     return {a.x - b.x, a.y - b.y};
 }
+/// Component by component, as are all products of vectors; see Dot and Cross.
+WELLSTRAT_HOST_DEVICE constexpr Float2 operator*(Float2 a, Float2 b) {
+    return {a.x * b.x, a.y * b.y};
+}
 WELLSTRAT_HOST_DEVICE constexpr Float2 operator*(Float2 a, float s) { return {a.x * s, a.y * s}; }
 WELLSTRAT_HOST_DEVICE constexpr Float2 operator*(float s, Float2 a) { return a * s; }
 WELLSTRAT_HOST_DEVICE constexpr bool operator==(Float2 a, Float2 b) {
@@ -102,6 +110,9 @@ WELLSTRAT_HOST_DEVICE constexpr Float3 operator-(Float3 a, Float3 b) {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
 WELLSTRAT_HOST_DEVICE constexpr Float3 operator-(Float3 a) { return {-a.x, -a.y, -a.z}; }
+WELLSTRAT_HOST_DEVICE constexpr Float3 operator*(Float3 a, Float3 b) {
+    return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
 WELLSTRAT_HOST_DEVICE constexpr Float3 operator*(Float3 a, float s) {
     return {a.x * s, a.y * s, a.z * s};
 }
@@ -111,6 +122,7 @@ WELLSTRAT_HOST_DEVICE constexpr Float3 operator/(Float3 a, float s) {
 }
 WELLSTRAT_HOST_DEVICE constexpr Float3& operator+=(Float3& a, Float3 b) { return a = a + b; }
 WELLSTRAT_HOST_DEVICE constexpr Float3& operator-=(Float3& a, Float3 b) { return a = a - b; }
+WELLSTRAT_HOST_DEVICE constexpr Float3& operator*=(Float3& a, Float3 b) { return a = a * b; }
 WELLSTRAT_HOST_DEVICE constexpr Float3& operator*=(Float3& a, float s) { return a = a * s; }
 WELLSTRAT_HOST_DEVICE constexpr Float3& operator/=(Float3& a, float s) { return a = a / s; }
 WELLSTRAT_HOST_DEVICE constexpr bool operator==(Float3 a, Float3 b) {
@@ -120,6 +132,7 @@ WELLSTRAT_HOST_DEVICE constexpr bool operator!=(Float3 a, Float3 b) { return !(a
 
 /// The members as free functions, which published plug-ins use too.
 WELLSTRAT_HOST_DEVICE constexpr float Dot(const Float3& a, const Float3& b) { return a.Dot(b); }
+WELLSTRAT_HOST_DEVICE inline float AbsDot(const Float3& a, const Float3& b) { return a.AbsDot(b); }
 WELLSTRAT_HOST_DEVICE constexpr Float3 Cross(const Float3& a, const Float3& b) {
     return a.Cross(b);
 }
