@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 namespace {
 
@@ -105,4 +107,6 @@ const Derivation& Derivations::view(const Derivation& domain) {
     return all_.back();
 }
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

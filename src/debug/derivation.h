@@ -16,7 +16,9 @@
 #include <string>
 #include <tuple>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 /// The pattern of which derivePattern(., scramble) is `patternid`.
 unsigned parentPattern(unsigned patternid, Scramble scramble);
@@ -74,4 +76,6 @@ private:
     std::map<std::size_t, std::size_t> views_; ///< by the numbers of the slots' domains
 };
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

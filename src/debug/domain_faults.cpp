@@ -6,7 +6,9 @@
 
 #include "debug/fault_search.h"
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord& record) {
     Uses uses;
@@ -28,4 +30,6 @@ std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord
     return findings.sorted();
 }
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

@@ -9,10 +9,14 @@
 
 #include <vector>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 /// All faults in a record, sorted by kind and message.
 std::vector<DomainLinter::Finding> findFaults(const Derivations& derivations,
                                               const DrawRecord& record);
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

@@ -10,7 +10,9 @@
 #include <unordered_map>
 #include <vector>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 /// How often (x, y) and z of a sample were drawn. A 3D draw takes both.
 struct DrawCounts {
@@ -58,4 +60,6 @@ private:
     uint64_t draws_ = 0;
 };
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

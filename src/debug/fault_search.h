@@ -14,7 +14,9 @@
 #include <utility>
 #include <vector>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 using Fault = DomainLinter::Fault;
 using Finding = DomainLinter::Finding;
@@ -109,4 +111,6 @@ void findSplits(Uses& uses, Findings& findings);
 void findDrawnTwice(const Uses& uses, Findings& findings);
 void findSharedPatterns(const Uses& uses, Findings& findings);
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

@@ -8,7 +8,9 @@
 
 #include <set>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 namespace {
 
@@ -117,4 +119,6 @@ void findLostSlots(const Uses& uses, Findings& findings) {
     }
 }
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

@@ -6,7 +6,9 @@
 
 #include <cmath>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 namespace {
 
@@ -149,4 +151,6 @@ void findSharedPatterns(const Uses& uses, Findings& findings) {
     SharedPatterns(uses).find(findings);
 }
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat

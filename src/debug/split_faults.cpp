@@ -6,7 +6,9 @@
 
 #include <set>
 
-namespace wellstrat::stream1::detail {
+namespace wellstrat {
+inline namespace stream1 {
+namespace detail {
 
 namespace {
 
@@ -98,4 +100,6 @@ private:
 
 void findSplits(Uses& uses, Findings& findings) { Splits(uses, findings).find(); }
 
-} // namespace wellstrat::stream1::detail
+} // namespace detail
+} // namespace stream1
+} // namespace wellstrat
