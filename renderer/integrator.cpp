@@ -65,9 +65,9 @@ void Integrator::startPaths(const RixRNG& camera, const CameraSample* samples,
     RtFloat2 inPicture[kBatchSize];
     RtFloat2 onLens[kBatchSize];
     float times[kBatchSize];
-    RixRNG(camera, kPixelScramble, batch.domain).DrawSamples2D(inPicture);
-    RixRNG(camera, kApertureScramble, batch.domain).DrawSamples2D(onLens);
-    RixRNG(camera, kShutterScramble, batch.domain).DrawSamples1D(times);
+    RixRNG(camera, kPixelFilterScramble, batch.domain).DrawSamples2D(inPicture);
+    RixRNG(camera, kLensScramble, batch.domain).DrawSamples2D(onLens);
+    RixRNG(camera, kTimeScramble, batch.domain).DrawSamples1D(times);
     for (unsigned i = 0; i < camera.numPts; ++i) {
         const Float2 center(static_cast<float>(samples[i].x) + 0.5f,
                             static_cast<float>(samples[i].y) + 0.5f);

@@ -139,9 +139,9 @@ TEST(Domains, AreThoseOfTheTree) {
     EXPECT_EQ(recorder.largestCount(), 1u);
     forEachSample([&](SampleCtx camera) {
         EXPECT_EQ(recorder.count(camera), 0u); // parents are not drawn from
-        EXPECT_EQ(recorder.count(camera.NewDomain(kPixelScramble)), 1u);
-        EXPECT_EQ(recorder.count(camera.NewDomain(kApertureScramble)), 1u);
-        EXPECT_EQ(recorder.count(camera.NewDomain(kShutterScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kPixelFilterScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kLensScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kTimeScramble)), 1u);
         SampleCtx hit = camera;
         for (unsigned bounce = 0; bounce < 2; ++bounce) {
             hit = hit.NewDomain(kHitScramble);
