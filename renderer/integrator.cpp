@@ -14,6 +14,9 @@ namespace wellstrat::render {
 
 namespace {
 
+/// A picture is a still.
+constexpr unsigned kFrame = 0;
+
 /// From this bounce on, paths may end by Russian roulette.
 constexpr unsigned kRouletteBounce = 2;
 
@@ -42,8 +45,8 @@ uint64_t Integrator::radiance(unsigned count, const CameraSample* samples, PathB
     std::fill_n(results, count, Float3(0.0f));
     for (unsigned i = 0; i < count; ++i) {
         const CameraSample& s = samples[i];
-        batch.contexts[i] =
-            cameraContext(static_cast<int>(s.x), static_cast<int>(s.y), options_.seed, s.sampleid);
+        batch.contexts[i] = cameraContext(static_cast<int>(s.x), static_cast<int>(s.y), kFrame,
+                                          s.sampleid, options_.seed);
     }
     RixRNG rng(batch.contexts, count, options_.generator);
     startPaths(rng, samples, batch);

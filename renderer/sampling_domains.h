@@ -2,7 +2,7 @@
 //
 // The sample domains of a path, each derived from its parent by one of these scrambles:
 //
-//     camera context: one pixel, one frame, one sampleid
+//     camera context: one pixel, one seed, one sampleid
 //     |-- kPixelFilterScramble  2D  where in the picture
 //     |-- kLensScramble         2D  where on the lens
 //     |-- kTimeScramble         1D  when

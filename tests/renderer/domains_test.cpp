@@ -128,8 +128,8 @@ template <class Check>
 void forEachSample(const Check& check) {
     for (int i = 0; i < static_cast<int>(kSide * kSide); ++i)
         for (unsigned s = 0; s < kSamples; ++s) {
-            check(
-                cameraContext(i % static_cast<int>(kSide), i / static_cast<int>(kSide), kSeed, s));
+            check(cameraContext(i % static_cast<int>(kSide), i / static_cast<int>(kSide), 0, s,
+                                kSeed));
         }
 }
 
@@ -199,7 +199,7 @@ TEST(Domains, DistributionFollowsThroughput) {
     scene.materials[1].baseColor = Float3(0.39f);
     const Recorder recorder;
     renderFilm(scene, 1, 1, listenedTo(recorder, 10, true));
-    SampleCtx hit = cameraContext(0, 0, kSeed, 0).NewDomain(kHitScramble);
+    SampleCtx hit = cameraContext(0, 0, 0, 0, kSeed).NewDomain(kHitScramble);
     EXPECT_EQ(recorder.samplesOf(hit.NewDomain(lightScramble(0))), 10u);
     hit = hit.NewDomain(kHitScramble); // throughput 0.39
     EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(lightScramble(1), 0)), 4u);
