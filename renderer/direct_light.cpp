@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "direct_light.h"
 
+#include "compaction.h"
 #include "emission.h"
 #include "sampling_domains.h"
 
@@ -49,15 +50,11 @@ void forEachSample(RixRNG rng, PathBatch& batch, const Estimate& estimate) {
     for (unsigned i = 0; i < rng.numPts; ++i) numbers[i] = i;
     for (unsigned taken = 1; rng.numPts > 0; ++taken) {
         rng.GenerateSamples2D(batch.xi);
-        unsigned left = 0;
-        for (unsigned i = 0; i < rng.numPts; ++i) {
+        const auto takesAnother = [&](unsigned i) {
             estimate(numbers[i], batch.xi[i]);
-            if (taken == batch.paths[numbers[i]].lightSamples) continue;
-            numbers[left] = numbers[i];
-            rng.sampleCtxArray[left] = rng.sampleCtxArray[i];
-            ++left;
-        }
-        rng.numPts = left;
+            return taken < batch.paths[numbers[i]].lightSamples;
+        };
+        rng.numPts = compact(rng.numPts, takesAnother, numbers, rng.sampleCtxArray);
     }
 }
 

@@ -40,7 +40,7 @@ Colors meanOf(const std::vector<Colors>& pictures) {
 
 std::vector<PathDomain> pathDomains(unsigned depth) {
     std::vector<PathDomain> domains{
-        {"pixel", kPixelScramble}, {"aperture", kApertureScramble}, {"shutter", kShutterScramble}};
+        {"pixel filter", kPixelFilterScramble}, {"lens", kLensScramble}, {"time", kTimeScramble}};
     for (unsigned bounce = 0; bounce <= depth; ++bounce) {
         const std::string number = ' ' + std::to_string(bounce);
         domains.push_back({"light" + number, lightScramble(bounce)});

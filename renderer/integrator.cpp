@@ -2,6 +2,7 @@
 #include "integrator.h"
 
 #include "color.h"
+#include "compaction.h"
 #include "sampling_domains.h"
 
 #include <RixShadingUtils.h>
@@ -12,6 +13,9 @@
 namespace wellstrat::render {
 
 namespace {
+
+/// A picture is a still.
+constexpr unsigned kFrame = 0;
 
 /// From this bounce on, paths may end by Russian roulette.
 constexpr unsigned kRouletteBounce = 2;
@@ -41,8 +45,8 @@ uint64_t Integrator::radiance(unsigned count, const CameraSample* samples, PathB
     std::fill_n(results, count, Float3(0.0f));
     for (unsigned i = 0; i < count; ++i) {
         const CameraSample& s = samples[i];
-        batch.contexts[i] =
-            cameraContext(static_cast<int>(s.x), static_cast<int>(s.y), options_.seed, s.sampleid);
+        batch.contexts[i] = cameraContext(static_cast<int>(s.x), static_cast<int>(s.y), kFrame,
+                                          s.sampleid, options_.seed);
     }
     RixRNG rng(batch.contexts, count, options_.generator);
     startPaths(rng, samples, batch);
@@ -64,9 +68,9 @@ void Integrator::startPaths(const RixRNG& camera, const CameraSample* samples,
     RtFloat2 inPicture[kBatchSize];
     RtFloat2 onLens[kBatchSize];
     float times[kBatchSize];
-    RixRNG(camera, kPixelScramble, batch.domain).DrawSamples2D(inPicture);
-    RixRNG(camera, kApertureScramble, batch.domain).DrawSamples2D(onLens);
-    RixRNG(camera, kShutterScramble, batch.domain).DrawSamples1D(times);
+    RixRNG(camera, kPixelFilterScramble, batch.domain).DrawSamples2D(inPicture);
+    RixRNG(camera, kLensScramble, batch.domain).DrawSamples2D(onLens);
+    RixRNG(camera, kTimeScramble, batch.domain).DrawSamples1D(times);
     for (unsigned i = 0; i < camera.numPts; ++i) {
         const Float2 center(static_cast<float>(samples[i].x) + 0.5f,
                             static_cast<float>(samples[i].y) + 0.5f);
@@ -79,47 +83,41 @@ void Integrator::startPaths(const RixRNG& camera, const CameraSample* samples,
 /// paths go on from there.
 unsigned Integrator::findHits(unsigned count, unsigned bounce, PathBatch& batch,
                               Float3* results) const {
-    unsigned left = 0;
-    for (unsigned i = 0; i < count; ++i) {
+    const auto goesOn = [&](unsigned i) {
         const Path& path = batch.paths[i];
         Hit hit;
         if (!geometry_.closestHit(path.ray, hit)) {
             results[path.point] += directLight_.fromEnvironment(path);
-            continue;
+            return false;
         }
         const Surface surface = geometry_.surface(path.ray, hit);
         results[path.point] += directLight_.fromSurface(path, hit, surface);
-        if (bounce > options_.depth) continue;
-        batch.vertices[left] = {surface.point,
-                                Bxdf(*surface.material, surface.uv, surface.point.normal,
-                                     surface.shadingNormal, -path.ray.direction)};
-        batch.paths[left] = path;
-        batch.contexts[left] = batch.contexts[i];
-        ++left;
-    }
-    return left;
+        if (bounce > options_.depth) return false;
+        batch.vertices[i] = {surface.point,
+                             Bxdf(*surface.material, surface.uv, surface.point.normal,
+                                  surface.shadingNormal, -path.ray.direction)};
+        return true;
+    };
+    return compact(count, goesOn, batch.paths, batch.vertices, batch.contexts);
 }
 
 /// Sends all paths on in a direction of their bxdf. Returns how many are left.
 unsigned Integrator::scatter(const RixRNG& hits, unsigned bounce, PathBatch& batch) const {
     RixRNG(hits, bxdfScramble(bounce), batch.domain).DrawSamples2D(batch.xi);
-    unsigned left = 0;
-    for (unsigned i = 0; i < hits.numPts; ++i) {
-        Path path = batch.paths[i];
+    const auto goesOn = [&](unsigned i) {
+        Path& path = batch.paths[i];
         BxdfSample bxdf;
-        if (!batch.vertices[i].bxdf.sample(batch.xi[i], bxdf)) continue;
+        if (!batch.vertices[i].bxdf.sample(batch.xi[i], bxdf)) return false;
         path.throughput = multiply(path.throughput, bxdf.weight);
         if (bounce >= kRouletteBounce &&
             !survives(hits.NewDomain(i, kRouletteScramble), path.throughput)) {
-            continue;
+            return false;
         }
         path.bxdfPdf = bxdf.pdf;
         path.ray = leave(batch.vertices[i].point, bxdf.direction, path.ray.time);
-        batch.paths[left] = path;
-        hits.sampleCtxArray[left] = hits.sampleCtxArray[i];
-        ++left;
-    }
-    return left;
+        return true;
+    };
+    return compact(hits.numPts, goesOn, batch.paths, batch.contexts);
 }
 
 } // namespace wellstrat::render

@@ -12,6 +12,10 @@
 namespace wellstrat::render {
 namespace {
 
+double gigabytes(uint64_t bytes) { return static_cast<double>(bytes) * 1e-9; }
+
+} // namespace
+
 /// MemAvailable of Linux, see proc(5).
 uint64_t availableMemory() {
     std::ifstream in("/proc/meminfo");
@@ -23,10 +27,6 @@ uint64_t availableMemory() {
     }
     return std::numeric_limits<uint64_t>::max();
 }
-
-double gigabytes(uint64_t bytes) { return static_cast<double>(bytes) * 1e-9; }
-
-} // namespace
 
 void requireMemory(uint64_t bytes, const std::string& what) {
     const uint64_t available = availableMemory();

@@ -30,8 +30,8 @@ struct Vertex {
     Bxdf bxdf;
 };
 
-/// The memory of a batch. Entry i of each array belongs to the same path, and paths that go on are
-/// moved to the front, so that contexts stay contiguous as the RixRNG wants them.
+/// The memory of a batch. Entry i of each array belongs to the same path. Paths that go on move to
+/// the front (compaction.h), so that contexts stay contiguous as the RixRNG wants them.
 struct PathBatch {
     Path paths[kBatchSize];
     Vertex vertices[kBatchSize];

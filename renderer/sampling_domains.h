@@ -2,11 +2,11 @@
 //
 // The sample domains of a path, each derived from its parent by one of these scrambles:
 //
-//     camera context: one pixel, one frame, one sampleid
-//     |-- kPixelScramble     2D  where in the picture
-//     |-- kApertureScramble  2D  where on the lens
-//     |-- kShutterScramble   1D  when
-//     `-- kHitScramble       --  the first hit, bounce 0
+//     camera context: one pixel, one seed, one sampleid
+//     |-- kPixelFilterScramble  2D  where in the picture
+//     |-- kLensScramble         2D  where on the lens
+//     |-- kTimeScramble         1D  when
+//     `-- kHitScramble          --  the first hit, bounce 0
 //         |-- lightScramble(bounce)        2D  which light, and where on it
 //         |-- environmentScramble(bounce)  2D  which direction of the environment
 //         |-- bxdfScramble(bounce)         2D  which lobe, and which direction
@@ -26,11 +26,13 @@
 
 namespace wellstrat::render {
 
-constexpr RixRNG::Scramble kPixelScramble = jointScramble(0);
-constexpr RixRNG::Scramble kApertureScramble = jointScramble(1);
-constexpr RixRNG::Scramble kShutterScramble = jointScramble(4);
+// The domains of wellstrat/camera.h under its names, which these hide: slots in place of its
+// scrambles.
+constexpr RixRNG::Scramble kPixelFilterScramble = jointScramble(0);
+constexpr RixRNG::Scramble kLensScramble = jointScramble(1);
+constexpr RixRNG::Scramble kTimeScramble = jointScramble(4);
 
-/// The slot of the light, before that of the bxdf: the first hit comes before the shutter, and each
+/// The slot of the light, before that of the bxdf: the first hit comes before the time, and each
 /// later one has three slots of its own. What exceeds 15 is padded.
 constexpr unsigned firstSlot(unsigned bounce) { return bounce == 0 ? 2 : 3 + 3 * bounce; }
 

@@ -14,8 +14,8 @@ enum class Strategy { both, lights, bxdf };
 
 struct SamplingOptions {
     const Generator* generator = nullptr; ///< null: the tables
-    unsigned seed = 0;    ///< the frame number of the camera's contexts: another one, other noise
-    unsigned depth = 5;   ///< bounces of indirect light; 0: direct light only
+    unsigned seed = 0;                    ///< of the camera's contexts: another one, other noise
+    unsigned depth = 5;                   ///< bounces of indirect light; 0: direct light only
     unsigned split = 1;   ///< light samples at the first hit, at least 1, by splitting
     bool distrib = false; ///< later hits take light samples by distribution: of `split`, the part
                           ///< that their throughput is worth, but at least 1

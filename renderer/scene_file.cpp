@@ -4,9 +4,9 @@
 
 #include "scene_file.h"
 #include "framing.h"
-#include "import/child_process.h"
 #include "import/import_scene.h"
-#include "import/scene_pipe.h"
+#include "import/scene_child.h"
+#include "memory.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr unsigned kCpuSeconds = 600;
+/// Of the process that reads a file: ten minutes, and the memory that there is.
+ChildLimits limits() { return {600, availableMemory()}; }
 
 /// "cannot read WHAT 'PATH': reason", the reason up to the end of its first line.
 std::runtime_error readError(const char* what, const std::string& path, std::string reason) {
@@ -55,22 +56,18 @@ auto readNamed(const char* what, const std::string& path, Read read) {
     }
 }
 
-/// What `make` makes, in a process of its own.
-template <typename Make>
-Scene makeInChild(Make make) {
+/// A scene of nothing but an environment map.
+Scene environmentScene(const std::string& path) {
     Scene scene;
-    const auto send = [&](int pipe) {
-        readTexturesInOneThread();
-        try {
-            sendScene(make(), pipe);
-        } catch (const std::bad_alloc&) {
-            sendFailure("there is not enough memory", pipe);
-        } catch (const std::exception& error) {
-            sendFailure(error.what(), pipe);
-        }
-    };
-    runInChild(
-        send, [&](int pipe) { scene = receiveScene(pipe); }, kCpuSeconds);
+    uint64_t replaced = 0;
+    scene.environment.emplace().map =
+        std::make_shared<const Texture>(readTexture(path, Encoding::sRgb, &replaced));
+    if (replaced > 0) {
+        scene.notes.push_back(
+            fmt::format("Pixels of the environment map that were negative, not finite or above 1e9 "
+                        "are replaced: {}.",
+                        replaced));
+    }
     return scene;
 }
 
@@ -78,7 +75,7 @@ Scene makeInChild(Make make) {
 
 Scene readScene(const std::string& path) {
     return readNamed("scene", path, [&] {
-        Scene scene = makeInChild([&] { return importScene(path); });
+        Scene scene = makeInChild([&] { return importScene(path); }, limits());
         addWhatIsMissing(scene);
         return scene;
     });
@@ -86,20 +83,7 @@ Scene readScene(const std::string& path) {
 
 Environment readEnvironment(const std::string& path, std::vector<std::string>* notes) {
     return readNamed("environment map", path, [&] {
-        const Scene scene = makeInChild([&] {
-            Scene result;
-            result.environment.emplace();
-            uint64_t replaced = 0;
-            result.environment->map =
-                std::make_shared<const Texture>(readTexture(path, Encoding::sRgb, &replaced));
-            if (replaced > 0) {
-                result.notes.push_back(
-                    fmt::format("Pixels of the environment map that were negative, not finite or "
-                                "above 1e9 are replaced: {}.",
-                                replaced));
-            }
-            return result;
-        });
+        const Scene scene = makeInChild([&] { return environmentScene(path); }, limits());
         if (notes) notes->insert(notes->end(), scene.notes.begin(), scene.notes.end());
         return scene.environment.value();
     });

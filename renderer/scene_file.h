@@ -17,8 +17,8 @@ namespace wellstrat::render {
 /// left out stands in `notes`. import/ has the conventions.
 ///
 /// Throws std::runtime_error with one line: the file is missing, cannot be read, or has no
-/// triangles to render. Files that crash or hang Assimp are such errors too, for it runs in a
-/// process of its own; call this before starting threads.
+/// triangles to render. So are files that Assimp does not survive, or not within ten minutes and
+/// the memory that there is: it runs in a process of its own. Call this before starting threads.
 Scene readScene(const std::string& path);
 
 /// Reads a latitude-longitude map, a .hdr or .exr file, or any other that OpenImageIO reads.

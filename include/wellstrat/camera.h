@@ -13,8 +13,10 @@ inline namespace stream1 {
 
 namespace detail {
 
-/// Keeps the keys of frames apart from the scrambles of domains: "came" in ASCII.
+/// Keep the keys of frames and of seeds apart from each other and from the scrambles of domains:
+/// "came" and "seed" in ASCII.
 constexpr uint32_t kCameraKey = 0x63616d65u;
+constexpr uint32_t kSeedKey = 0x73656564u;
 
 } // namespace detail
 
@@ -31,9 +33,14 @@ constexpr Scramble kTimeScramble = static_cast<Scramble>(0x13198a2eu);
 /// image of up to 65536 x 65536 pixels has no two alike, with or without negative coordinates for
 /// overscan. The frame is the key of the mapping and not added to the pixel, so noise does not
 /// slide over the image from frame to frame.
+///
+/// All this holds for each `seed`, which is for images of one frame with independent noise. Seed 0
+/// changes nothing; any other permutes the pixels before the frame does, with a key of its own. So
+/// a frame and a seed cannot stand for another frame with another seed.
 WELLSTRAT_HOST_DEVICE constexpr SampleCtx cameraContext(int x, int y, unsigned frame,
-                                                        unsigned sampleid) {
-    const uint32_t pixel = (static_cast<uint32_t>(x) & 0xffffu) | (static_cast<uint32_t>(y) << 16);
+                                                        unsigned sampleid, unsigned seed = 0) {
+    uint32_t pixel = (static_cast<uint32_t>(x) & 0xffffu) | (static_cast<uint32_t>(y) << 16);
+    if (seed != 0) pixel = permuteBits(pixel, permutationKey(seed ^ detail::kSeedKey));
     return {permuteBits(pixel, permutationKey(frame ^ detail::kCameraKey)), sampleid};
 }
 

@@ -10,6 +10,8 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,7 +28,7 @@ namespace {
 }
 
 /// A crash must look like one and say nothing: default signals, no output, no core file.
-void becomeQuiet(unsigned cpuSeconds) {
+void becomeQuiet() {
     for (const int signal :
          {SIGABRT, SIGALRM, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGPIPE, SIGSEGV, SIGTERM, SIGXCPU})
         std::signal(signal, SIG_DFL);
@@ -35,10 +37,27 @@ void becomeQuiet(unsigned cpuSeconds) {
         ::dup2(null, STDOUT_FILENO);
         ::dup2(null, STDERR_FILENO);
     }
-    const rlimit noCore{0, 0}, time{cpuSeconds, cpuSeconds + 1};
+    const rlimit noCore{0, 0};
     ::setrlimit(RLIMIT_CORE, &noCore);
+}
+
+/// The bytes of this process that RLIMIT_DATA counts: the sixth number of statm, see proc(5). 0
+/// where the system does not tell.
+uint64_t dataSize() {
+    std::ifstream statm("/proc/self/statm");
+    uint64_t pages = 0;
+    for (int i = 0; i < 6; ++i) statm >> pages;
+    return statm ? pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE)) : 0;
+}
+
+void obey(const ChildLimits& limits) {
+    const rlimit time{limits.cpuSeconds, limits.cpuSeconds + 1};
     ::setrlimit(RLIMIT_CPU, &time);
-    ::alarm(2 * cpuSeconds); // should it wait for something forever
+    ::alarm(2 * limits.cpuSeconds); // should it wait for something forever
+    if (limits.memory == std::numeric_limits<uint64_t>::max()) return;
+    const uint64_t bytes = dataSize() + limits.memory;
+    const rlimit memory{bytes, bytes};
+    ::setrlimit(RLIMIT_DATA, &memory);
 }
 
 /// Says how a process ended that did not end by itself. (One that writes what nobody reads did.)
@@ -60,7 +79,7 @@ int waitFor(pid_t child) {
 } // namespace
 
 void runInChild(const std::function<void(int pipe)>& write,
-                const std::function<void(int pipe)>& read, unsigned cpuSeconds) {
+                const std::function<void(int pipe)>& read, const ChildLimits& limits) {
     int ends[2];
     if (::pipe(ends) != 0) failBySystem("make a pipe");
     const pid_t child = ::fork();
@@ -71,7 +90,8 @@ void runInChild(const std::function<void(int pipe)>& write,
     }
     if (child == 0) {
         ::close(ends[0]);
-        becomeQuiet(cpuSeconds);
+        becomeQuiet();
+        obey(limits);
         try {
             write(ends[1]);
         } catch (...) {

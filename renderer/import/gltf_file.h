@@ -13,8 +13,7 @@ namespace wellstrat::render {
 /// - multiplies the strength of each material, KHR_materials_emissive_strength, into its emissive
 ///   factor. Returns the new bytes; none if there is nothing to do, or if the bytes are no valid
 ///   JSON, which is Assimp's to report;
-/// - refuses, with std::runtime_error, a .glb that is shorter than its header says. Assimp would
-///   take the promised memory first, up to 4 GiB.
+/// - refuses, with std::runtime_error, a .glb that is shorter than its header says.
 std::optional<std::string> preparedGltf(const std::string& bytes);
 
 } // namespace wellstrat::render

@@ -33,9 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Instances are copied, so that a small file can ask for more than any memory holds.
-constexpr uint64_t kMaxTriangles = 100'000'000;
-
 /// The file system, but for one file whose content is given.
 class PatchedFiles : public Assimp::DefaultIOSystem {
 public:
@@ -74,8 +71,9 @@ struct Instance {
 
 class SceneImport {
 public:
-    SceneImport(const aiScene& source, std::string folder)
-        : source_(source), textures_(source, std::move(folder), notes_) {}
+    SceneImport(const aiScene& source, std::string folder, uint64_t mostTriangles)
+        : source_(source), mostTriangles_(mostTriangles),
+          textures_(source, std::move(folder), notes_) {}
 
     Scene run() {
         for (unsigned i = 0; i < source_.mNumMaterials; ++i)
@@ -96,7 +94,7 @@ public:
     }
 
 private:
-    /// Walks the nodes from the root, without recursion: files can nest them as deep as they like.
+    /// Walks the nodes from the root. A loop, so that the depth of the tree takes no stack.
     std::vector<Instance> instances() const {
         std::vector<Instance> found;
         std::vector<std::pair<const aiNode*, aiMatrix4x4>> open{{source_.mRootNode, {}}};
@@ -110,9 +108,9 @@ private:
                 found.push_back({mesh, toWorld});
                 triangles += mesh->mNumFaces;
             }
-            if (triangles > kMaxTriangles)
+            if (triangles > mostTriangles_)
                 throw std::runtime_error(fmt::format(
-                    "has more than {} triangles, all instances counted", kMaxTriangles));
+                    "has more than {} triangles, all instances counted", mostTriangles_));
             for (unsigned i = node->mNumChildren; i-- > 0;)
                 open.emplace_back(node->mChildren[i], toWorld);
         }
@@ -156,6 +154,7 @@ private:
     }
 
     const aiScene& source_;
+    const uint64_t mostTriangles_;
     Notes notes_;
     SceneTextures textures_;
     std::vector<ImportedMaterial> materials_;
@@ -165,14 +164,14 @@ private:
 
 } // namespace
 
-Scene importScene(const std::string& path) {
+Scene importScene(const std::string& path, uint64_t mostTriangles) {
     Assimp::Importer importer;
     prepareGltf(importer, path);
     const aiScene* const source =
         importer.ReadFile(path, aiProcess_ValidateDataStructure | aiProcess_Triangulate |
                                     aiProcess_TransformUVCoords);
     if (!source || !source->mRootNode) throw std::runtime_error(importer.GetErrorString());
-    return SceneImport(*source, fs::path(path).parent_path().string()).run();
+    return SceneImport(*source, fs::path(path).parent_path().string(), mostTriangles).run();
 }
 
 } // namespace wellstrat::render

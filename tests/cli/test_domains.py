@@ -24,9 +24,9 @@ class DomainsTest(CliTest):
     def test_parts(self):
         table = self.table("spherelight", *SMALL, "--generators", "pmj,random,joint", "-o",
                            "d.json")
-        self.assertEqual(list(table), ["pixel", "light 0", "bxdf 0", "sum", "floor", "pmj",
+        self.assertEqual(list(table), ["pixel filter", "light 0", "bxdf 0", "sum", "floor", "pmj",
                                        "random", "joint"])
-        parts = [table[name] for name in ("pixel", "light 0", "bxdf 0")]
+        parts = [table[name] for name in ("pixel filter", "light 0", "bxdf 0")]
         for part, error in parts:
             self.assertGreater(part, -5 * error - 0.001)
         total = sum(part for part, _ in parts)
@@ -48,13 +48,13 @@ class DomainsTest(CliTest):
     def test_a_lamp_in_view_is_an_error_of_the_pixel_alone(self):
         """The lamp of `cornell` is far brighter than all else: its edge in view has most of the
         error, and there nothing but the place in the pixel decides."""
-        self.assertGreater(self.table("cornell", *SMALL)["pixel"][0], 0.5)
+        self.assertGreater(self.table("cornell", *SMALL)["pixel filter"][0], 0.5)
 
     def test_domains_that_the_image_does_not_use_are_left_out(self):
-        self.assertNotIn("aperture", self.table("cornell", *SMALL))
+        self.assertNotIn("lens", self.table("cornell", *SMALL))
         self.assertNotIn("environment 0", self.table("cornell", *SMALL))
         table = self.table("lens", *SMALL)
-        self.assertIn("aperture", table)
+        self.assertIn("lens", table)
         self.assertNotIn("light 1", table)
 
     def test_without_errors_there_are_no_parts(self):

@@ -149,7 +149,7 @@ class RenderTest(RenderCase):
             self.assert_fails("render", *arguments, mentions=mentions)
 
     def test_far_cameras_and_large_lenses(self):
-        """The largest numbers that options take: Embree aborts where rays start too far out."""
+        """The largest numbers that options take."""
         for arguments in (("--camera", "1e9,-1e9,1e9"), ("--lens-radius", "1e9"),
                           ("--focus", "1e9", "--fov", "179"), ("--focus", "1e-9"),
                           ("--camera", "1e9,1e9,1e9", "--look-at", "-1e9,1e9,1e9",

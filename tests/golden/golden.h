@@ -180,6 +180,10 @@ inline Words camera(const Words& a) {
     return words(
         wellstrat::cameraContext(static_cast<int>(a[0]), static_cast<int>(a[1]), a[2], a[3]));
 }
+inline Words seeded(const Words& a) {
+    return words(
+        wellstrat::cameraContext(static_cast<int>(a[0]), static_cast<int>(a[1]), a[2], a[3], a[4]));
+}
 inline Words stream(const Words&) { return {wellstrat::kStreamVersion}; }
 
 struct Kind {
@@ -200,6 +204,7 @@ constexpr Kind kKinds[] = {
     {"distrib", 4, distrib},     // patternid sampleid scramble newsampleid = patternid sampleid
     {"split", 4, split},         // patternid sampleid scramble newnumsamples = patternid sampleid
     {"camera", 4, camera},       // x y frame sampleid = patternid sampleid
+    {"seeded", 5, seeded},       // x y frame sampleid seed = patternid sampleid
 };
 
 /// The line, without its end, of a record of this kind. Throws std::invalid_argument for a kind or

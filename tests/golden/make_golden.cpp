@@ -64,6 +64,7 @@ void writeContexts(Writer& write) {
     for (const uint32_t x : {0u, 1u, 0xffffu, 0x10000u, 0xffffffffu}) {
         for (const uint32_t y : {0u, 1u, 1079u, 0xffffffffu}) {
             for (const uint32_t frame : {0u, 1u, 0xffffffffu}) write("camera", {x, y, frame, 9});
+            for (const uint32_t seed : {1u, 0xffffffffu}) write("seeded", {x, y, 1, 9, seed});
         }
     }
 }

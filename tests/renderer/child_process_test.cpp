@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Crashes, hangs and large answers of a process that reads a scene.
+// Crashes, hangs, memory and large answers of a process that reads a scene.
 
 #include "renderer/import/child_process.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <sys/mman.h>
 #include <unistd.h>
 
 namespace wellstrat::render {
 namespace {
+
+constexpr uint64_t kMemory = uint64_t{1} << 30;
+constexpr ChildLimits kLimits{10, kMemory};
 
 std::size_t readAll(int pipe) {
     std::vector<char> buffer(1 << 16);
@@ -28,9 +34,9 @@ std::size_t readAll(int pipe) {
 }
 
 /// The message of what `runInChild` throws when the child does this.
-std::string errorOf(const std::function<void()>& child) {
+std::string errorOf(const std::function<void()>& child, ChildLimits limits = {1, kMemory}) {
     try {
-        runInChild([&](int) { child(); }, readAll, 1);
+        runInChild([&](int) { child(); }, readAll, limits);
     } catch (const std::runtime_error& error) {
         return error.what();
     }
@@ -46,13 +52,13 @@ TEST(ChildProcess, HandsOverWhatItWrites) {
                 done += static_cast<std::size_t>(
                     ::write(pipe, megabytes.data() + done, megabytes.size() - done));
         },
-        [&](int pipe) { got = readAll(pipe); }, 10);
+        [&](int pipe) { got = readAll(pipe); }, kLimits);
     EXPECT_EQ(got, megabytes.size());
 }
 
 TEST(ChildProcess, ChangesNothingHere) {
     int value = 1;
-    runInChild([&](int) { value = 2; }, readAll, 10);
+    runInChild([&](int) { value = 2; }, readAll, kLimits);
     EXPECT_EQ(value, 1);
 }
 
@@ -72,6 +78,27 @@ TEST(ChildProcess, EndsWhatHangs) {
               "takes too long to read");
 }
 
+TEST(ChildProcess, EndsWhatWaits) {
+    EXPECT_EQ(errorOf([] { ::sleep(60); }), "takes too long to read");
+}
+
+/// Whether a child gets so much memory, in bytes. It only asks, and touches none.
+bool getsMemory(uint64_t bytes, uint64_t limit) {
+    return errorOf(
+               [bytes] {
+                   if (::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS,
+                              -1, 0) == MAP_FAILED)
+                       std::abort();
+               },
+               {10, limit}) == "none";
+}
+
+TEST(ChildProcess, GetsNoMoreMemoryThanItsLimit) {
+    EXPECT_TRUE(getsMemory(kMemory / 2, kMemory));
+    EXPECT_FALSE(getsMemory(2 * kMemory, kMemory));
+    EXPECT_TRUE(getsMemory(2 * kMemory, std::numeric_limits<uint64_t>::max()));
+}
+
 // The child would write forever into a pipe that nobody reads.
 TEST(ChildProcess, AReaderThatThrowsEndsIt) {
     const auto write = [](int pipe) {
@@ -80,7 +107,7 @@ TEST(ChildProcess, AReaderThatThrowsEndsIt) {
         }
     };
     EXPECT_THROW(runInChild(
-                     write, [](int) { throw std::logic_error("no"); }, 10),
+                     write, [](int) { throw std::logic_error("no"); }, kLimits),
                  std::logic_error);
 }
 

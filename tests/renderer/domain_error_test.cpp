@@ -87,7 +87,7 @@ TEST(RenewedGenerator, SharesTheDomainThatMakesThePicture) {
     addQuads(lamp, {rectangle({1, 0.1f, -5}, {1, 0.3f, 0}, {0, 1, 0})},
              addMaterial(lamp, emitter(Float3(1.0f))));
     lamp.camera = lookAt({0, 0, 0}, {0, 0, -5}, {0, 1, 0}, 0.3f);
-    expectMadeBy("pixel", lamp, optionsOfDepth(1));
+    expectMadeBy("pixel filter", lamp, optionsOfDepth(1));
 }
 
 /// One point of a floor, lit by a lamp that takes light samples only.

@@ -134,8 +134,8 @@ template <class Check>
 void forEachSample(const Check& check) {
     for (int i = 0; i < static_cast<int>(kSide * kSide); ++i)
         for (unsigned s = 0; s < kSamples; ++s) {
-            check(
-                cameraContext(i % static_cast<int>(kSide), i / static_cast<int>(kSide), kSeed, s));
+            check(cameraContext(i % static_cast<int>(kSide), i / static_cast<int>(kSide), 0, s,
+                                kSeed));
         }
 }
 
@@ -145,9 +145,9 @@ TEST(Domains, AreThoseOfTheTree) {
     EXPECT_EQ(recorder.largestCount(), 1u);
     forEachSample([&](SampleCtx camera) {
         EXPECT_EQ(recorder.count(camera), 0u); // parents are not drawn from
-        EXPECT_EQ(recorder.count(camera.NewDomain(kPixelScramble)), 1u);
-        EXPECT_EQ(recorder.count(camera.NewDomain(kApertureScramble)), 1u);
-        EXPECT_EQ(recorder.count(camera.NewDomain(kShutterScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kPixelFilterScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kLensScramble)), 1u);
+        EXPECT_EQ(recorder.count(camera.NewDomain(kTimeScramble)), 1u);
         SampleCtx hit = camera;
         for (unsigned bounce = 0; bounce < 2; ++bounce) {
             hit = hit.NewDomain(kHitScramble);
@@ -205,7 +205,7 @@ TEST(Domains, DistributionFollowsThroughput) {
     scene.materials[1].baseColor = Float3(0.39f);
     const Recorder recorder;
     renderFilm(scene, 1, 1, listenedTo(recorder, 10, true));
-    SampleCtx hit = cameraContext(0, 0, kSeed, 0).NewDomain(kHitScramble);
+    SampleCtx hit = cameraContext(0, 0, 0, 0, kSeed).NewDomain(kHitScramble);
     EXPECT_EQ(recorder.samplesOf(hit.NewDomain(lightScramble(0))), 10u);
     hit = hit.NewDomain(kHitScramble); // throughput 0.39
     EXPECT_EQ(recorder.samplesOf(hit.NewDomainDistrib(lightScramble(1), 0)), 4u);

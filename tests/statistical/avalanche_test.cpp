@@ -117,6 +117,13 @@ TEST(Avalanche, CameraInThePixelAndInTheFrame) {
     });
 }
 
+TEST(Avalanche, CameraInThePixelAndInTheSeed) {
+    expectAvalanche([](uint32_t a, uint32_t b) {
+        const auto x = static_cast<int>(a & 0xffffu), y = static_cast<int>(a >> 16);
+        return cameraContext(x, y, 0, 0, b).patternid;
+    });
+}
+
 TEST(Avalanche, UnstratifiedSamplesInThePatternAndInTheSampleid) {
     for (Coordinate c : {Coordinate::x, Coordinate::y, Coordinate::z}) {
         expectAvalanche([c](uint32_t a, uint32_t b) { return randomBits(a, b, c); });

@@ -52,8 +52,10 @@ TEST(Camera, TheTestSeesOneRepeatInAFrame) {
 }
 
 TEST(Camera, PixelsOfAFrameDifferWithNegativeCoordinatesToo) {
-    EXPECT_TRUE(allDistinct(patternsOfFrame(
-        -kSide / 2, [](int x, int y) { return cameraContext(x, y, 17, 0).patternid; })));
+    for (const unsigned seed : {0u, 3u}) {
+        EXPECT_TRUE(allDistinct(patternsOfFrame(
+            -kSide / 2, [=](int x, int y) { return cameraContext(x, y, 17, 0, seed).patternid; })));
+    }
 }
 
 // A hash that is no bijection of the pattern would make about 32000 pairs of pixels meet at every
@@ -120,26 +122,64 @@ TEST(Camera, TheReadyMadeDomainsOfAPixelAllDiffer) {
     }
 }
 
-// Two frames of n pixels share about n^2 / 2^32 patterns, as any two sets of random words do. A
-// hash whose keys act too simply lets some pairs of frames share thousands: noise that comes back.
-TEST(Camera, FramesShareNoMorePatternsThanByChance) {
-    constexpr int width = 480, height = 270, frames = 240;
+TEST(Camera, SeedZeroChangesNothing) {
+    for (unsigned frame : {0u, 1u, 0xffffffffu}) {
+        EXPECT_EQ(cameraContext(5, 6, frame, 7, 0).patternid,
+                  cameraContext(5, 6, frame, 7).patternid);
+        EXPECT_EQ(cameraContext(5, 6, frame, 7, 8).sampleid, 7u);
+    }
+}
+
+// Guards against a seed that is part of the frame's key: the image of one frame and seed would be
+// that of another frame and seed. 2^20 images, by two pixels each: with 32 bits of key for all
+// frames and seeds, some 128 pairs would be equal. That two of these are is a chance of 10^-7.
+TEST(Camera, FramesAndSeedsNeverAlias) {
+    constexpr unsigned kFrames = 16, kSeeds = 65536;
+    std::vector<uint64_t> images;
+    for (unsigned frame = 0; frame < kFrames; ++frame) {
+        for (unsigned seed = 0; seed < kSeeds; ++seed) {
+            images.push_back(uint64_t{cameraContext(0, 0, frame, 0, seed).patternid} << 32 |
+                             cameraContext(1, 0, frame, 0, seed).patternid);
+        }
+    }
+    std::sort(images.begin(), images.end());
+    EXPECT_EQ(std::adjacent_find(images.begin(), images.end()), images.end());
+}
+
+/// The pattern of a pixel of image i.
+using Image = unsigned (*)(int x, int y, unsigned i);
+
+/// Two images of n pixels share about n^2 / 2^32 patterns, as any two sets of random words do.
+void expectNoMoreSharedThanByChance(unsigned images, Image image) {
+    constexpr int width = 480, height = 270;
     std::vector<unsigned> previous, current;
-    for (unsigned frame = 0; frame < frames; ++frame) {
+    for (unsigned i = 0; i < images; ++i) {
         current.clear();
         for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
-                current.push_back(cameraContext(x, y, frame, 0).patternid);
-            }
+            for (int x = 0; x < width; ++x) current.push_back(image(x, y, i));
         }
         std::sort(current.begin(), current.end());
         std::vector<unsigned> shared;
         std::set_intersection(previous.begin(), previous.end(), current.begin(), current.end(),
                               std::back_inserter(shared));
         // 3.9 are expected. More than 30 come by chance once in 10^15 pairs.
-        ASSERT_LT(shared.size(), 30u) << "frames " << frame - 1 << " and " << frame;
+        ASSERT_LT(shared.size(), 30u) << "images " << i - 1 << " and " << i;
         previous.swap(current);
     }
+}
+
+// A hash whose keys act too simply lets some pairs of frames share thousands: noise that comes
+// back.
+TEST(Camera, FramesShareNoMorePatternsThanByChance) {
+    expectNoMoreSharedThanByChance(
+        240, [](int x, int y, unsigned i) { return cameraContext(x, y, i, 0).patternid; });
+}
+
+TEST(Camera, SeedsShareNoMorePatternsThanByChance) {
+    expectNoMoreSharedThanByChance(
+        120, [](int x, int y, unsigned i) { return cameraContext(x, y, 1, 0, i).patternid; });
+    expectNoMoreSharedThanByChance(
+        120, [](int x, int y, unsigned i) { return cameraContext(x, y, i, 0, i).patternid; });
 }
 
 } // namespace
