@@ -46,8 +46,9 @@ void Stopwatch::start() {
 }
 
 double Stopwatch::stop() const {
+    const double time = now() - start_;
     static const double cost = clockCost();
-    return now() - start_ - cost;
+    return time - cost;
 }
 
 } // namespace wellstrat

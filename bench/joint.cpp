@@ -3,6 +3,8 @@
 // Draws from a slot of JointProgressive, single and in batches.
 
 #include "wellstrat/joint.h"
+
+#include "count.h"
 #include "scenarios.h"
 
 namespace wellstrat {
@@ -44,6 +46,12 @@ void addBatch(const std::string& name, const std::vector<int64_t>& sizes, Access
         drawAll(state, caches, contexts, access, deriveSlot(contexts, split), draw);
     });
 }
+
+/// With what deriving the slot takes, in one batch.
+const CountedPath kCounted("joint", [](CountedArrays& a) {
+    const RixRNG rng(a.rng(&kJoint), jointScramble(1), a.children.data());
+    for (unsigned i = 0; i < rng.numPts; ++i) a.xis[i] = rng.DrawSample2D(i);
+});
 
 const Suite kSuite([] {
     addSingle("joint scalar 1D", Access::coherent, kDraw1D);

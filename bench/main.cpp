@@ -17,6 +17,12 @@
 
 namespace {
 
+#ifdef __clang__
+constexpr char kCompiler[] = "clang " __clang_version__;
+#else
+constexpr char kCompiler[] = "g++ " __VERSION__;
+#endif
+
 /// Tables are built once in a process, so the script starts many.
 int timeTables() {
     const auto start = std::chrono::steady_clock::now();
@@ -37,6 +43,7 @@ int main(int argc, char** argv) {
     }
     wellstrat::Suite::addAll();
     benchmark::AddCustomContext("batch_target", wellstrat::chosenBatchTarget());
+    benchmark::AddCustomContext("compiler", kCompiler);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();

@@ -12,6 +12,8 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,7 +42,8 @@ inline void reportItems(benchmark::State& state, std::size_t items) {
 ///
 /// With warm caches the steps are measured too. With cluttered ones nothing but round() is: the
 /// contexts are in the caches, since a renderer has just made them; tables, code and results are
-/// not.
+/// not. Reported is the median of the rounds, as a single one is too short to wait for a quiet
+/// moment of the machine.
 template <typename Round>
 void runRounds(benchmark::State& state, Caches caches, std::vector<SampleCtx>& contexts,
                Access access, std::size_t items, Round round) {
@@ -54,7 +57,7 @@ void runRounds(benchmark::State& state, Caches caches, std::vector<SampleCtx>& c
         reportItems(state, items);
         return;
     }
-    double seconds = 0;
+    std::vector<double> seconds;
     for (auto _ : state) {
         clutterCaches();
         stepContexts(contexts, access);
@@ -63,10 +66,11 @@ void runRounds(benchmark::State& state, Caches caches, std::vector<SampleCtx>& c
         watch.start();
         round();
         benchmark::ClobberMemory();
-        seconds += watch.stop();
+        seconds.push_back(watch.stop());
     }
-    state.counters["ns"] =
-        seconds * 1e9 / (static_cast<double>(state.iterations()) * static_cast<double>(items));
+    const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+    std::nth_element(seconds.begin(), middle, seconds.end());
+    state.counters["ns"] = *middle * 1e9 / static_cast<double>(items);
 }
 
 /// Draws each point of `rng`, a view of `contexts`, by itself: draw(rng, i).
@@ -108,19 +112,15 @@ void addScenario(const std::string& name, const std::vector<int64_t>& sizes, Run
     }
 }
 
-/// Adds a scenario of batches for each target that the processor can run, named after it. Only the
-/// best, which is what users get, has a cluttered one.
+/// Adds a scenario of batches for each target that the processor can run, named after it.
 template <typename Run>
 void addBatches(const std::string& name, const std::vector<int64_t>& sizes, Run run) {
-    addScenario(name + " " + batchTarget(0), sizes, run);
-    for (unsigned i = 1; const char* target = batchTarget(i); ++i) {
-        auto* added = benchmark::RegisterBenchmark((name + " " + target).c_str(),
-                                                   [run, target](benchmark::State& state) {
-                                                       forceBatchTarget(target);
-                                                       run(state, Caches::warm);
-                                                       forceBatchTarget(batchTarget(0));
-                                                   });
-        for (const int64_t size : sizes) added->Arg(size);
+    for (unsigned i = 0; const char* target = batchTarget(i); ++i) {
+        addScenario(name + " " + target, sizes, [=](benchmark::State& state, Caches caches) {
+            forceBatchTarget(target);
+            run(state, caches);
+            forceBatchTarget(batchTarget(0));
+        });
     }
 }
 

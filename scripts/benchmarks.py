@@ -129,12 +129,15 @@ INSTRUCTION_PATHS = ("scalar", "scalar-3D", "path-of-8", "chain", "few-points", 
 
 
 def instructions_per_sample(program):
-    """By path, from two callgrind runs of different length, less what makes the contexts."""
+    """By path that the program has, from two callgrind runs of different length, less what makes
+    the contexts."""
     if shutil.which("valgrind") is None:
         sys.exit("bench: --instructions needs valgrind")
+    known = subprocess.run([program, "--count", "", "0"], stderr=subprocess.PIPE, text=True).stderr
+    paths = [path for path in INSTRUCTION_PATHS if path in known.split()]
     counts = {path: (instructions(program, path, 300000) - instructions(program, path, 100000))
-              / 200000 for path in ("nothing", *INSTRUCTION_PATHS)}
-    return {path: counts[path] - counts["nothing"] for path in INSTRUCTION_PATHS}
+              / 200000 for path in ("nothing", *paths)}
+    return {path: counts[path] - counts["nothing"] for path in paths}
 
 
 def instructions(program, path, samples):
