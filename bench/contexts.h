@@ -6,8 +6,6 @@
 
 #include "RixRNG.h"
 
-#include <benchmark/benchmark.h>
-
 #include <vector>
 
 namespace wellstrat {
@@ -33,13 +31,11 @@ inline std::vector<SampleCtx> makeContexts(std::size_t n, Access access) {
     return contexts;
 }
 
-/// Reports nanoseconds per item, of which each iteration makes `items`. The script reads the
-/// counter, which is the inverse of a rate in 10^9 items a second.
-inline void reportItems(benchmark::State& state, std::size_t items) {
-    using benchmark::Counter;
-    state.counters["ns"] =
-        Counter(static_cast<double>(state.iterations()) * static_cast<double>(items) * 1e-9,
-                Counter::kIsRate | Counter::kInvert);
+/// From one round of draws to the next: coherent contexts step on by one sample, as a progressive
+/// renderer does.
+inline void stepContexts(std::vector<SampleCtx>& contexts, Access access) {
+    if (access != Access::coherent) return;
+    for (SampleCtx& sc : contexts) sc.sampleid = (sc.sampleid + 1) % 4096;
 }
 
 } // namespace wellstrat

@@ -2,7 +2,7 @@
 //
 // What else one could call for a 2D sample: each fills an array of 4096.
 
-#include "contexts.h"
+#include "scenarios.h"
 
 #include <boost/random/sobol.hpp>
 #include <boost/random/uniform_01.hpp>

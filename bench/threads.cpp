@@ -3,7 +3,7 @@
 // How one and two threads scale. The counter is the time per sample of all threads together, so it
 // halves where two threads do not disturb each other.
 
-#include "contexts.h"
+#include "scenarios.h"
 
 #include <cstdlib>
 

@@ -2,7 +2,7 @@
 """Documents that say what was measured: runs the commands that they show and writes their tables and
 pictures anew. All between <!-- measured: NAME --> and <!-- end --> is written here.
 
-What scripts/docs-quality and scripts/docs-rendering share."""
+What scripts/docs-joint, docs-performance, docs-quality and docs-rendering share."""
 
 import argparse
 import os
@@ -30,6 +30,8 @@ class Lab:
     def run(self, name, *arguments):
         """What `wellstrat` or a script of the project prints."""
         self.commands.append(shlex.join([name, *arguments]))
+        if name == "wellstrat" and not self.program.is_file():
+            sys.exit(f"there is no program {self.program}; build first, or set BUILD_DIR")
         path = self.program if name == "wellstrat" else ROOT / name
         done = subprocess.run([path, *arguments], cwd=self.folder, stdout=subprocess.PIPE, text=True)
         if done.returncode != 0:
@@ -58,8 +60,6 @@ def write(document, parts, lab_class, description, examples):
     if unknown:
         parser.error(f"no part is called '{unknown[0]}'; there are {', '.join(parts)}")
     program = (ROOT / os.environ.get("BUILD_DIR", "build/release") / "bin" / "wellstrat").resolve()
-    if not program.is_file():
-        parser.error(f"there is no program {program}; build first, or set BUILD_DIR")
 
     path = ROOT / "docs" / document
     for part in chosen:

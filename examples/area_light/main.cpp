@@ -78,7 +78,7 @@ void compare(const Options& options, const Image& reference, Branching branching
     const double randomError = rmse(random, reference);
     const double pmjError = rmse(pmj, reference);
     fmt::print("{:<13} {:>5} {:>5} {:>11.5f} {:>11.5f} {:>9.2f}\n", name, samples,
-               samples / branchCount(branching), randomError, pmjError, randomError / pmjError);
+               samples / branchCount(branching), randomError, pmjError, pmjError / randomError);
     std::fflush(stdout);
     writeImage(options, fmt::format("{}_{:04}.png", name, samples), {&random, &pmj});
 }
@@ -106,7 +106,7 @@ void run(const Options& options) {
         }
     }
     fmt::print(
-        "\nspp: light samples per pixel; rays: camera rays per pixel; ratio: random / pmj.\n"
+        "\nspp: light samples per pixel; rays: camera rays per pixel; ratio: pmj / random.\n"
         "Images, random left and pmj right, are in {}\n",
         options.output);
 }

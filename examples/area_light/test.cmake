@@ -14,9 +14,9 @@ if(NOT table_1 STREQUAL table_3)
 endif()
 message(STATUS "${table_1}")
 
-# Columns: branching, spp, rays, random, pmj, ratio. A ratio below 1.5 at 16 samples means that the
+# Columns: branching, spp, rays, random, pmj, ratio. A ratio above 0.67 at 16 samples means that the
 # samples are no longer stratified; it is a fixed number, for the samples are.
-if(NOT table_1 MATCHES "\nplain +16 +16 +[0-9.]+ +[0-9.]+ +([0-9.]+)" OR CMAKE_MATCH_1 LESS 1.5)
+if(NOT table_1 MATCHES "\nplain +16 +16 +[0-9.]+ +[0-9.]+ +([0-9.]+)" OR CMAKE_MATCH_1 GREATER 0.67)
   message(FATAL_ERROR "pmj is not clearly better than random with 16 samples")
 endif()
 
