@@ -1,5 +1,5 @@
 # What `cmake --install` installs: headers, libraries, the CMake package and the pkg-config file.
-# (The command line tool installs itself.) No installed file holds an absolute path: the tree may
+# (The command line tools install themselves.) No installed file holds an absolute path: the tree may
 # be moved.
 
 include(CMakePackageConfigHelpers)
@@ -19,15 +19,17 @@ install(FILES ${PROJECT_BINARY_DIR}/include/wellstrat/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wellstrat)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# Shared libraries find each other, and the tool finds them, wherever the tree stands.
+# Shared libraries find each other, and the tools find them, wherever the tree stands.
 cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_LIBDIR BASE_DIRECTORY ${CMAKE_INSTALL_FULL_BINDIR}
   OUTPUT_VARIABLE bin_to_lib)
 if(TARGET wellstrat_analysis)
   set_target_properties(wellstrat_analysis PROPERTIES INSTALL_RPATH "$ORIGIN")
 endif()
-if(TARGET wellstrat_cli)
-  set_target_properties(wellstrat_cli PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
-endif()
+foreach(tool wellstrat_cli wellstrat_render)
+  if(TARGET ${tool})
+    set_target_properties(${tool} PROPERTIES INSTALL_RPATH "$ORIGIN/${bin_to_lib}")
+  endif()
+endforeach()
 
 install(EXPORT wellstratTargets NAMESPACE wellstrat:: DESTINATION ${package_dir})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/wellstratConfig.cmake.in
