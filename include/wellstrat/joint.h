@@ -52,8 +52,7 @@ WELLSTRAT_HOST_DEVICE constexpr Scramble jointScramble(unsigned slot) {
 /// with NewDomain of a slot's contexts is another domain in the order of the slot: its samples and
 /// the slot's are in lockstep. Make its generator with ForChild, as docs/api.md shows. Drawing one
 /// slot through two different domains for one sample of the camera is a mistake, by which the two
-/// are correlated. A build of the library without NDEBUG prints both and aborts (docs/linter.md);
-/// use another object for another integrator there.
+/// are correlated. DomainLinter finds it (docs/linter.md).
 class WELLSTRAT_API JointProgressive final : public Generator {
 public:
     /// For a camera's RixRNG: padded samples itself.

@@ -5,14 +5,13 @@
 #pragma once
 
 #include "debug/draw_record.h"
-#include "wellstrat/domain_linter.h"
+#include "wellstrat/domain_finding.h"
 
 #include <vector>
 
 namespace wellstrat::stream1::detail {
 
 /// All faults in a record, sorted by kind and message.
-std::vector<DomainLinter::Finding> findFaults(const Derivations& derivations,
-                                              const DrawRecord& record);
+std::vector<DomainFinding> findFaults(const Derivations& derivations, const DrawRecord& record);
 
 } // namespace wellstrat::stream1::detail

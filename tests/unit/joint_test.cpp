@@ -95,7 +95,7 @@ TEST_F(JointTest, OrdinaryDomainsArePaddedAtAnyDepth) {
 }
 
 TEST_F(JointTest, SlotsAreTakenAtAnyDepth) {
-    const JointProgressive ofFirst, ofSecond; // debug builds let each have a slot once on a path
+    const JointProgressive ofFirst, ofSecond;
     const RixRNG first({contexts.data(), n, &ofFirst}, kOrdinary, a.data());
     const RixRNG between({contexts.data(), n, &ofSecond}, kOrdinary, a.data());
     const RixRNG second(&between, kOther, b.data());
@@ -165,9 +165,7 @@ TEST_F(JointTest, AllObjectsAreAlike) {
     const RixRNG second(contexts.data(), n, &other);
     const RixRNG one(camera, jointScramble(7), a.data()), two(second, jointScramble(7), b.data());
     EXPECT_EQ(domainOf(one), domainOf(two));
-#ifdef NDEBUG // a debug build tells them apart (src/debug/slot_watch.h)
     EXPECT_EQ(one.generator, two.generator) << "children are made once";
-#endif
 }
 
 TEST_F(JointTest, OtherGeneratorsTakeNoNoticeOfSlots) {
