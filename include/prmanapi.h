@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "wellstrat/platform.h"
+
 #define PRMAN_INLINE inline
 
 using RtFloat = float;
