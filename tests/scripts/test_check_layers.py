@@ -39,7 +39,7 @@ class CheckLayers(TreeTest):
         self.assertIn("src/debug/fault_search.h", output)
 
     def test_the_core_does_not_know_the_linter(self):
-        self.includes("src/batch/joint.cpp", "wellstrat/domain_linter.h")
+        self.includes("src/generators/joint.cpp", "wellstrat/domain_linter.h")
         code, output = self.run_script("check-layers")
         self.assertEqual(code, 1)
-        self.assertIn("wellstrat/domain_linter.h: batch source may not include debug", output)
+        self.assertIn("wellstrat/domain_linter.h: generators source may not include debug", output)
