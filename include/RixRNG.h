@@ -22,8 +22,6 @@
 #include "wellstrat/generator.h"
 
 #include <cassert>
-#include <type_traits>
-#include <utility>
 
 /// A view of `numPts` sample contexts that somebody else owns, of the order of their domain, and of
 /// the generator, if any, that makes their samples. Small; copy it freely. The arrays and the
@@ -68,17 +66,19 @@ public:
 
     /// A view of contexts that may be filled in before or after, for the parent's generator. They
     /// may be any contexts, such as new domains of some of the parent's points, so the order is the
-    /// root order: what the parent's order has to give is lost. Contexts of the parent's own slot
-    /// (wellstrat/joint.h) draw padded samples of the same pattern through such a view. To keep the
-    /// order, derive: see the constructors with indices.
+    /// root order, but for the parent's splits. Contexts of the parent's own slot
+    /// (wellstrat/joint.h) draw padded samples of the same pattern through such a view; slots below
+    /// contexts that were split by hand gain little. To keep the order, derive: see the
+    /// constructors with indices.
     RixRNG(const RixRNG& parent, Array<SampleCtx> contexts, unsigned numPoints)
         : RixRNG(contexts.first(numPoints, "RixRNG"), numPoints, parent.generator,
                  parent.viewOrder()) {}
 
     /// The parent's own domain at some of its points, in any order: contexts[k] is a copy of the
     /// context of point indices[k], for k in [0, n). Each index is below parent.numPts; an index
-    /// may occur again. `contexts` may be the parent's own array if the indices increase. The
-    /// parent stays as it is.
+    /// may occur again. The parent stays as it is. `contexts` may be the parent's own array if the
+    /// indices strictly increase, as they do where paths end; what it held is overwritten then.
+    /// What is written to `contexts` later is taken for the same domain.
     RixRNG(const RixRNG& parent, Array<const unsigned> indices, unsigned n,
            Array<SampleCtx> contexts)
         : RixRNG(contexts.first(n, "RixRNG"), n, parent.generator, parent.order) {
@@ -120,10 +120,26 @@ public:
     }
 
     /// The same for a parent that is held by pointer.
-    template <class Parent, class... Arguments,
-              class = std::enable_if_t<std::is_base_of<RixRNG, Parent>::value>>
-    RixRNG(const Parent* parent, Arguments&&... arguments)
-        : RixRNG(*parent, std::forward<Arguments>(arguments)...) {}
+    RixRNG(const RixRNG* parent, Array<SampleCtx> contexts, unsigned numPoints)
+        : RixRNG(*parent, contexts, numPoints) {}
+    RixRNG(const RixRNG* parent, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts)
+        : RixRNG(*parent, indices, n, contexts) {}
+    RixRNG(const RixRNG* parent, Scramble scramble, Array<SampleCtx> contexts)
+        : RixRNG(*parent, scramble, contexts) {}
+    RixRNG(const RixRNG* parent, Scramble scramble, Array<SampleCtx> contexts, Distrib distrib)
+        : RixRNG(*parent, scramble, contexts, distrib) {}
+    RixRNG(const RixRNG* parent, Scramble scramble, Array<SampleCtx> contexts, Split split)
+        : RixRNG(*parent, scramble, contexts, split) {}
+    RixRNG(const RixRNG* parent, Scramble scramble, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts)
+        : RixRNG(*parent, scramble, indices, n, contexts) {}
+    RixRNG(const RixRNG* parent, Scramble scramble, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts, Distrib distrib)
+        : RixRNG(*parent, scramble, indices, n, contexts, distrib) {}
+    RixRNG(const RixRNG* parent, Scramble scramble, Array<const unsigned> indices, unsigned n,
+           Array<SampleCtx> contexts, Split split)
+        : RixRNG(*parent, scramble, indices, n, contexts, split) {}
 
     /// The sample of point i. z of the 3D point is the 1D sample, (x, y) the 2D sample: a 2D and a
     /// 1D draw from one context are together well stratified in 3D.
@@ -194,15 +210,15 @@ public:
 
     /// The same, and then the sampleids of these points are incremented.
     void GenerateSamples1D(unsigned n, Array<float> xis) {
-        DrawSamples1D(n, xis);
+        DrawSamples1D(n, xis.first(n, "GenerateSamples1D"));
         advance(n);
     }
     void GenerateSamples2D(unsigned n, Array<RtFloat2> xis) {
-        DrawSamples2D(n, xis);
+        DrawSamples2D(n, xis.first(n, "GenerateSamples2D"));
         advance(n);
     }
     void GenerateSamples3D(unsigned n, Array<RtFloat3> xis) {
-        DrawSamples3D(n, xis);
+        DrawSamples3D(n, xis.first(n, "GenerateSamples3D"));
         advance(n);
     }
 
@@ -232,7 +248,8 @@ public:
         return child;
     }
 
-    /// New domains of all points into out[0, numPts), which may be sampleCtxArray itself.
+    /// New domains of all points into out[0, numPts), which may be sampleCtxArray itself: then this
+    /// becomes a RixRNG of the new domain, as far as it may change.
     void NewDomains(Scramble scramble, Array<SampleCtx> out) const {
         derive(numPts, sampleCtxArray, scramble, Split{1}, out.first(numPts, "NewDomains"));
     }
@@ -245,6 +262,20 @@ public:
                out.first(numPts, "NewDomainsSplit"));
     }
 
+    void NewDomains(Scramble scramble, Array<SampleCtx> out) {
+        NewDomainsSplit(scramble, 1, out.first(numPts, "NewDomains"));
+    }
+    void NewDomainsDistrib(Scramble scramble, unsigned newsampleid, Array<SampleCtx> out) {
+        SampleCtx* const children = out.first(numPts, "NewDomainsDistrib");
+        derive(numPts, sampleCtxArray, scramble, Distrib{newsampleid}, children);
+        if (children == sampleCtxArray) order = childOrder(scramble, 0);
+    }
+    void NewDomainsSplit(Scramble scramble, unsigned newnumsamples, Array<SampleCtx> out) {
+        SampleCtx* const children = out.first(numPts, "NewDomainsSplit");
+        derive(numPts, sampleCtxArray, scramble, Split{newnumsamples}, children);
+        if (children == sampleCtxArray) order = childOrder(scramble, newnumsamples);
+    }
+
 private:
     RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen, Order ownOrder)
         : sampleCtxArray(contexts), numPts(numPoints), generator(gen), order(ownOrder) {}
@@ -253,7 +284,9 @@ private:
         return generator ? generator->ChildOrder(order, scramble, split)
                          : wellstrat::deriveOrder(order, scramble, split);
     }
-    Order viewOrder() const { return generator ? generator->ViewOrder(order) : Order{}; }
+    Order viewOrder() const {
+        return generator ? generator->ViewOrder(order) : wellstrat::viewOrder(order);
+    }
 
     /// The new domains of n contexts of this domain, into children[0, n).
     void derive(unsigned n, const SampleCtx* parents, Scramble scramble, Split split,
@@ -279,6 +312,7 @@ private:
     void copyFrom(const RixRNG& parent, const unsigned* indices) {
         for (unsigned k = 0; k < numPts; ++k) {
             assert(indices[k] < parent.numPts);
+            assert(sampleCtxArray != parent.sampleCtxArray || indices[k] >= k);
             sampleCtxArray[k] = parent.sampleCtxArray[indices[k]];
         }
     }

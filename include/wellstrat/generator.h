@@ -38,7 +38,8 @@ public:
     virtual void MultiSample2D(unsigned n, const SampleCtx& sc, Float2* xis) const;
     virtual void MultiSample3D(unsigned n, const SampleCtx& sc, Float3* xis) const;
 
-    // What a RixRNG really calls. By default, the functions above: the order does not matter.
+    // What a RixRNG really calls. By default, the functions above: the order does not matter. Who
+    // overrides one of these overrides those for n contexts too; an OrderedGenerator does.
 
     /// The sample of `sc` in a domain of this order.
     virtual float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const;
@@ -59,8 +60,8 @@ public:
     /// a plain one, n for a split by n, 0 for distribution.
     virtual Order ChildOrder(Order parent, Scramble scramble, unsigned split) const;
 
-    /// The order of RixRNG(parent, contexts, n), whose contexts may be any. By default the root
-    /// order, which is right whatever they are.
+    /// The order of RixRNG(parent, contexts, n), whose contexts may be any. By default
+    /// viewOrder(parent), which is sound whatever they are.
     virtual Order ViewOrder(Order parent) const;
 
     /// The contexts of new domains of n contexts, whose order is `order`, into children[0, n),

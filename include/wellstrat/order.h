@@ -67,6 +67,13 @@ WELLSTRAT_HOST_DEVICE constexpr Order deriveOrder(Order parent, Scramble scrambl
     return child;
 }
 
+/// The order of contexts of which only the parent is known that they came from: no slot, and the
+/// parent's splits, since slots below must know them. If the parent has none, the root order.
+WELLSTRAT_HOST_DEVICE constexpr Order viewOrder(Order parent) {
+    parent.slot = kJointSlots;
+    return parent;
+}
+
 /// The order of a slot's domain under splits by `splits` in all, for those who draw from slots
 /// without a RixRNG. `slot` is in [0, kJointSlots), `splits` in [1, kMaxJointSplit]; what is out of
 /// range marks no slot.

@@ -42,13 +42,20 @@ public:
     }
 };
 
-const TableGenerator kTables;
+/// Never destroyed: something may still draw while the program ends.
+const Generator& tableGenerator() {
+    static const Generator* const generator = new TableGenerator;
+    return *generator;
+}
+
+/// Marks the tags that a linter gives, so that others', and none, are a camera's.
+constexpr uint32_t kOwnTag = 0x80000000u;
 
 } // namespace
 
 class DomainLinter::State {
 public:
-    explicit State(const Generator* wrapped) : inner(wrapped ? *wrapped : kTables) {}
+    explicit State(const Generator* wrapped) : inner(wrapped ? *wrapped : tableGenerator()) {}
 
     const Generator& inner;
 
@@ -60,21 +67,21 @@ public:
 
     Order child(Order parent, Scramble scramble, unsigned split) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        const Domain& from = domainOf(parent);
+        const Domain from = domainOf(parent);
         return tagged(derivations_.child(*from.derivation, scramble, split),
                       inner.ChildOrder(from.order, scramble, split));
     }
 
     Order view(Order parent) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        const Domain& from = domainOf(parent);
+        const Domain from = domainOf(parent);
         return tagged(derivations_.view(*from.derivation), inner.ViewOrder(from.order));
     }
 
     /// Records draws by a domain. Returns the wrapped generator's order.
     Order add(Order order, unsigned n, const SampleCtx& first, detail::DrawCounts counts) {
         const std::lock_guard<std::mutex> lock(mutex_);
-        const Domain& domain = domainOf(order);
+        const Domain domain = domainOf(order);
         for (unsigned i = 0; i < n; ++i) record_.add(*domain.derivation, (&first)[i], counts);
         return domain.order;
     }
@@ -103,23 +110,24 @@ private:
         Order order;
     };
 
-    /// A tag that is not ours is a camera's.
-    const Domain& domainOf(Order order) const {
-        return domains_[order.tag < domains_.size() ? order.tag : 0];
+    /// An order without a tag of ours is a camera's, or was set by the user.
+    Domain domainOf(Order order) const {
+        const uint32_t number = order.tag ^ kOwnTag;
+        return number < domains_.size() ? domains_[number] : Domain{&derivations_.camera(), order};
     }
 
     Order tagged(const detail::Derivation& derivation, Order order) {
         const auto [found, isNew] = tags_.try_emplace(
             {derivation.number, order.slot, order.splits, order.tag}, domains_.size());
         if (isNew) domains_.push_back({&derivation, order});
-        order.tag = static_cast<uint32_t>(found->second);
+        order.tag = kOwnTag | static_cast<uint32_t>(found->second);
         return order;
     }
 
     std::mutex mutex_;
     detail::Derivations derivations_;
     detail::DrawRecord record_;
-    std::vector<Domain> domains_{{&derivations_.camera(), Order{}}};
+    std::vector<Domain> domains_;
     std::map<std::tuple<std::size_t, uint16_t, uint16_t, uint32_t>, std::size_t> tags_;
 };
 

@@ -106,7 +106,8 @@ private:
     /// What derives one pattern in the same way from two others derives it from one.
     static Pair whereTheyMeet(Pair pair) {
         auto [a, b] = pair;
-        while (a->parent && b->parent && a->scramble == b->scramble && a->split == b->split) {
+        while (a->parent && b->parent && a->scramble == b->scramble && a->split == b->split &&
+               a->isSlotView == b->isSlotView) {
             a = a->parent;
             b = b->parent;
         }

@@ -52,7 +52,7 @@ Order Generator::ChildOrder(Order parent, Scramble scramble, unsigned split) con
     return deriveOrder(parent, scramble, split);
 }
 
-Order Generator::ViewOrder(Order /*parent*/) const { return {}; }
+Order Generator::ViewOrder(Order parent) const { return viewOrder(parent); }
 
 void Generator::MultiNewDomainSplit(unsigned n, const SampleCtx& parents, Order /*order*/,
                                     Scramble scramble, unsigned newnumsamples,

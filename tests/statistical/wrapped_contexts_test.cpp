@@ -2,9 +2,9 @@
 //
 // The pattern of the interface's documentation: an integrator wraps an array of its own in a RixRNG
 // made from a parent, and fills it one by one with new domains of the parent's points. Products of
-// what the two draw must converge, whatever the generator and the parent's domain are. Guards
-// against a wrapped array that draws in the order of its parent's slot, in lockstep with it: then
-// the error stays at 0.09.
+// what the two draw must converge as without a generator, whatever the generator and the parent's
+// domain are. Guards against a wrapped array that draws in the order of its parent's slot, in
+// lockstep with it, and against slots below it that do not know of splits or distributions above.
 
 #include "RixRNG.h"
 #include "wellstrat/domain_linter.h"
@@ -69,31 +69,90 @@ double errorOf(const RixRNG::Generator* generator, Parent kind, Fill fill, unsig
     return sum / (split * kPoints) - kPi * kPi / 16;
 }
 
-/// Independent samples have 0.0304 for one branch, all others less; six standard deviations of the
-/// measurement more is 0.038, so a false alarm has a probability below 10^-8.
+template <class Error>
+double rmse(Error error) {
+    double squares = 0;
+    for (unsigned pattern = 0; pattern < kPatterns; ++pattern) {
+        const double e = error(pattern);
+        squares += e * e;
+    }
+    return std::sqrt(squares / kPatterns);
+}
+
+/// A ratio of two RMSE of so many patterns has a standard deviation of 6 %: 1.4 is six of them and
+/// more above 1, so a false alarm has a probability below 10^-8. Lockstep has 1.8 and more in
+/// slots.
+constexpr double kRatio = 1.4;
+
 TEST(WrappedContexts, ConvergeForEveryGenerator) {
+    const wellstrat::JointProgressive joint;
+    for (const Parent kind : {Parent::camera, Parent::ordinary, Parent::slot, Parent::splitSlot}) {
+        for (const Fill fill : {Fill::byParent, Fill::byContext}) {
+            for (const unsigned split : {1u, 4u}) {
+                const auto with = [&](const RixRNG::Generator* generator) {
+                    return rmse(
+                        [&](unsigned p) { return errorOf(generator, kind, fill, split, p); });
+                };
+                EXPECT_LT(with(&joint), kRatio * with(nullptr))
+                    << static_cast<int>(kind) << " " << static_cast<int>(fill) << " split by "
+                    << split;
+            }
+        }
+    }
+}
+
+/// The linter passes on the samples of what it wraps, and random samples have an error of 0.0304.
+TEST(WrappedContexts, ConvergeForOtherGenerators) {
     const wellstrat::RandomGenerator random;
     const wellstrat::JointProgressive joint;
     const wellstrat::DomainLinter linter(&joint);
-    const RixRNG::Generator* const generators[] = {nullptr, &random, &joint, &linter};
-    for (const RixRNG::Generator* generator : generators) {
-        for (const Parent kind :
-             {Parent::camera, Parent::ordinary, Parent::slot, Parent::splitSlot}) {
-            for (const Fill fill : {Fill::byParent, Fill::byContext}) {
-                for (const unsigned split : {1u, 4u}) {
-                    const unsigned patterns = generator == &linter ? kPatterns / 10 : kPatterns;
-                    double squares = 0;
-                    for (unsigned pattern = 0; pattern < patterns; ++pattern) {
-                        const double error = errorOf(generator, kind, fill, split, pattern);
-                        squares += error * error;
-                    }
-                    const double bound = generator == &linter ? 0.055 : 0.038;
-                    EXPECT_LT(std::sqrt(squares / patterns), bound)
-                        << static_cast<int>(kind) << " " << static_cast<int>(fill) << " split by "
-                        << split;
-                }
-            }
+    for (const Parent kind : {Parent::camera, Parent::slot}) {
+        EXPECT_LT(rmse([&](unsigned p) { return errorOf(&random, kind, Fill::byParent, 1, p); }),
+                  0.038);
+        for (unsigned pattern = 0; pattern < 4; ++pattern) {
+            EXPECT_EQ(errorOf(&linter, kind, Fill::byParent, 4, pattern),
+                      errorOf(&joint, kind, Fill::byParent, 4, pattern));
         }
+    }
+}
+
+/// Two domains of one path, of each of which an integrator wraps all points once more, and derives
+/// slot `a` or `b` from there. `split` is 0 for distribution.
+double errorBelowViews(const RixRNG::Generator* generator, unsigned split, unsigned a, unsigned b,
+                       unsigned pattern) {
+    const unsigned visits = split == 0 ? 1 : kPoints / split, branches = kPoints / visits;
+    std::vector<RtFloat2> drawn[2];
+    for (unsigned d = 0; d < 2; ++d) {
+        std::vector<SampleCtx> camera(visits), children(visits), wrapped(kPoints), slot(kPoints);
+        for (unsigned i = 0; i < visits; ++i) camera[i] = {HashToUnsigned(10, pattern), i};
+        const RixRNG rng(camera, visits, generator);
+        const Scramble scramble{0x2d96c92b + d};
+        const RixRNG parent = split == 0 ? RixRNG(rng, scramble, children, RixRNG::Distrib{0})
+                                         : RixRNG(rng, scramble, children, RixRNG::Split{split});
+        for (unsigned i = 0; i < kPoints; ++i) {
+            wrapped[i] = children[i / branches];
+            wrapped[i].sampleid += i % branches;
+        }
+        const RixRNG view(parent, wrapped, kPoints);
+        drawn[d].resize(kPoints);
+        RixRNG(view, wellstrat::jointScramble(d == 0 ? a : b), slot).DrawSamples2D(drawn[d]);
+    }
+    double sum = 0;
+    for (unsigned i = 0; i < kPoints; ++i) sum += inDisk(drawn[0][i]) * inDisk(drawn[1][i]);
+    return sum / kPoints - kPi * kPi / 16;
+}
+
+TEST(WrappedContexts, SlotsBelowKnowOfSplitsAndDistributionsAbove) {
+    const wellstrat::JointProgressive joint;
+    struct {
+        unsigned split, a, b;
+    } const cases[] = {{0, 0, 0}, {0, 3, 5}, {2, 12, 1}, {8, 7, 15}, {1, 0, 1}};
+    for (const auto& c : cases) {
+        const auto with = [&](const RixRNG::Generator* generator) {
+            return rmse(
+                [&](unsigned p) { return errorBelowViews(generator, c.split, c.a, c.b, p); });
+        };
+        EXPECT_LT(with(&joint), kRatio * with(nullptr)) << c.split << ": " << c.a << ", " << c.b;
     }
 }
 

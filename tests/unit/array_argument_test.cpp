@@ -39,6 +39,24 @@ static_assert(!kAccepts<float, const float*> && !kAccepts<float, const std::vect
 static_assert(!kAccepts<float, const float (&)[3]> && !kAccepts<float, double*>);
 static_assert(!kAccepts<RtFloat2, std::vector<float>&> && !kAccepts<float, int>);
 
+// Temporaries that own nothing, signed sizes, and what is no array of T.
+struct Derived : RtFloat2 {
+    int more;
+};
+struct Signed {
+    std::vector<float> values;
+    float* data() { return values.data(); }
+    int size() const { return -1; }
+};
+struct Both {
+    float* data() const { return nullptr; }
+    unsigned size() const { return 0; }
+    operator float*() const { return nullptr; } // NOLINT(google-explicit-constructor)
+};
+static_assert(!kAccepts<float, std::vector<float>> && kAccepts<const float, std::vector<float>>);
+static_assert(!kAccepts<RtFloat2, std::vector<Derived>&> && kAccepts<float, Signed&>);
+static_assert(kAccepts<float, Both> && kAccepts<SampleCtx, SampleCtx*&>);
+
 class ArrayArgumentTest : public testing::Test {
 protected:
     void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
@@ -68,6 +86,16 @@ TEST_F(ArrayArgumentTest, EveryKindOfArrayGetsTheSameSamples) {
     EXPECT_EQ(RixRNG(children, 4).sampleCtxArray, children.data());
 }
 
+extern SampleCtx someContexts[]; // NOLINT(modernize-avoid-c-arrays)
+
+TEST_F(ArrayArgumentTest, ArraysOfUnknownSizeAndNothingAreAccepted) {
+    EXPECT_EQ(RixRNG(someContexts, 2).sampleCtxArray, someContexts);
+    EXPECT_EQ(RixRNG(NULL, 0).numPts, 0u); // NOLINT(modernize-use-nullptr)
+    EXPECT_EQ(RixRNG(nullptr, 0).numPts, 0u);
+    rng.DrawSamples2D(0, 0); // NOLINT(modernize-use-nullptr)
+}
+SampleCtx someContexts[2];
+
 TEST_F(ArrayArgumentDeathTest, TooSmallForDraws) {
     RixRNG own(contexts, 4);
     float one[3] = {7, 7, 7};
@@ -78,8 +106,11 @@ TEST_F(ArrayArgumentDeathTest, TooSmallForDraws) {
     EXPECT_DEATH(rng.DrawSamples2D(two), "DrawSamples2D: the array has 3 elements and needs 4");
     EXPECT_DEATH(rng.DrawSamples3D(three), "DrawSamples3D: the array has 3 elements and needs 4");
     EXPECT_DEATH(rng.DrawSamples2D(4, two), "has 3 elements and needs 4");
+    Signed none;
+    EXPECT_DEATH(rng.DrawSamples1D(none), "has 0 elements and needs 4");
     EXPECT_DEATH(own.GenerateSamples1D(one), "has 3 elements and needs 4");
-    EXPECT_DEATH(own.GenerateSamples2D(two), "has 3 elements and needs 4");
+    EXPECT_DEATH(own.GenerateSamples2D(two),
+                 "GenerateSamples2D: the array has 3 elements and needs 4");
     EXPECT_DEATH(own.GenerateSamples3D(three), "has 3 elements and needs 4");
     const wellstrat::JointProgressive joint;
     EXPECT_DEATH(RixRNG(contexts, 4, &joint).DrawSamples2D(two), "has 3 elements and needs 4");

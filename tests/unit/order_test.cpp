@@ -83,8 +83,11 @@ TEST_F(OrderOfRixRNG, IsDerivedWithAndWithoutAGenerator) {
         EXPECT_EQ(RixRNG(slot, kOrdinary, children).order, order(kJointSlots, 3));
         EXPECT_EQ(RixRNG(slot, kOrdinary, children, RixRNG::Distrib{0}).order,
                   order(kJointSlots, 0));
-        EXPECT_EQ(RixRNG(slot, children, 2).order, kRoot);
-        EXPECT_EQ(RixRNG(&slot, children, 2).order, kRoot);
+        EXPECT_EQ(RixRNG(slot, children, 2).order, order(kJointSlots, 3));
+        EXPECT_EQ(RixRNG(&slot, children, 2).order, order(kJointSlots, 3));
+        EXPECT_EQ(RixRNG(RixRNG(camera, jointScramble(2), children), children, 2).order, kRoot);
+        const RixRNG lost(camera, kOrdinary, children, RixRNG::Distrib{0});
+        EXPECT_EQ(RixRNG(lost, children, 2).order, order(kJointSlots, 0));
     }
 }
 
@@ -121,6 +124,22 @@ TEST_F(OrderOfRixRNG, SubsetsAreDerived) {
         EXPECT_EQ(some[k].sampleid, 5u);
     }
     EXPECT_EQ(RixRNG(slot, indices, 0, some).numPts, 0u);
+}
+
+/// New domains in place are another domain, and no longer the slot.
+TEST_F(OrderOfRixRNG, FollowsNewDomainsInPlace) {
+    const JointProgressive joint;
+    const RixRNG camera(contexts, 4, &joint);
+    RixRNG rng(camera, jointScramble(2), children, RixRNG::Split{3});
+    SampleCtx elsewhere[4];
+    rng.NewDomains(kOrdinary, elsewhere);
+    EXPECT_EQ(rng.order, jointOrder(2, 3));
+    rng.NewDomains(kOrdinary, children);
+    EXPECT_EQ(rng.order, order(kJointSlots, 3));
+    rng.NewDomainsSplit(jointScramble(4), 2, rng.sampleCtxArray);
+    EXPECT_EQ(rng.order, jointOrder(4, 6));
+    rng.NewDomainsDistrib(kOrdinary, 0, children);
+    EXPECT_EQ(rng.order, order(kJointSlots, 0));
 }
 
 /// As integrators do whose paths end: in place, to the front.
