@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "wellstrat/platform.h"
+
 // Published plug-ins call assert() without including it.
 #include <cassert>
 

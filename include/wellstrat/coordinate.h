@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "wellstrat/platform.h"
+
 namespace wellstrat {
 inline namespace stream1 {
 

@@ -5,9 +5,9 @@
 
 #pragma once
 
+#include "wellstrat/domain_finding.h"
 #include "wellstrat/generator.h"
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,23 +31,8 @@ inline namespace stream1 {
 /// until clear(): lint a few pixels, not a picture. It must outlive all RixRNGs that have it.
 class WELLSTRAT_API DomainLinter final : public OrderedGenerator {
 public:
-    enum class Fault {
-        drawnTwice,  ///< one domain drawn twice at one sampleid; (x, y) and z once each are fine
-        samePattern, ///< two derivations led to one pattern
-        splitCount,  ///< a visit of a split by n did not draw n samples
-        slotTwice,   ///< two domains of a path draw from one slot (wellstrat/joint.h)
-        slotLost,    ///< contexts below a slot are drawn through a RixRNG(parent, contexts, n)
-        skipped,     ///< a sampleid that no path has, between those that paths have
-        repeated,    ///< a whole path drawn again
-    };
-
-    /// All cases of one fault in the same domains.
-    struct Finding {
-        Fault fault;
-        std::string message; ///< one line, which names the domains: "camera > 0x03707344 split 4"
-        uint64_t count;      ///< of samples, patterns, visits, paths, sampleids and paths
-        SampleCtx path; ///< one of them: the camera's context, or that of the last distribution
-    };
+    using Fault = DomainFault;
+    using Finding = DomainFinding;
 
     /// `inner`, which is not owned, makes the samples; null: the tables.
     explicit DomainLinter(const Generator* inner = nullptr);

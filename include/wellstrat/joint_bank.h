@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include "wellstrat/platform.h"
+
 #include <cstdint>
 
 namespace wellstrat {

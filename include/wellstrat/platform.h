@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Marks that the other headers put on their functions.
+// Marks that the other headers put on their functions, and what they ask of the compiler. Every
+// header includes this one before anything else.
 
 #pragma once
+
+// Microsoft's compilers say C++98 in __cplusplus, and the truth in _MSVC_LANG.
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "wellstrat needs C++17 or newer: compile with -std=c++17 (CMake: CXX_STANDARD 17)"
+#endif
 
 /// On functions that a GPU kernel may call too.
 #if defined(__CUDACC__) || defined(__HIPCC__)

@@ -4,8 +4,9 @@
 
 #pragma once
 
-#include "wellstrat/analysis/integrands.h"
+#include "wellstrat/analysis/integrand.h"
 
+#include <functional>
 #include <vector>
 
 namespace wellstrat {

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "wellstrat/analysis/geometry.h"
+#include "wellstrat/analysis/unit_points.h"
 
 #include <algorithm>
 #include <cmath>

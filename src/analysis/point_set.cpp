@@ -33,6 +33,17 @@ uint32_t fractionOf(Real value, std::size_t point, unsigned dim) {
 
 uint32_t fractionOf(uint32_t value, std::size_t, unsigned) { return value; }
 
+/// Coordinate d of point i from values[i * dims + d].
+template <class Value>
+void setCoordinates(std::vector<std::vector<uint32_t>>& coordinates, const Value* values) {
+    const auto dims = static_cast<unsigned>(coordinates.size());
+    for (std::size_t i = 0; i < coordinates.front().size(); ++i) {
+        for (unsigned d = 0; d < dims; ++d) {
+            coordinates[d][i] = fractionOf(values[i * dims + d], i, d);
+        }
+    }
+}
+
 } // namespace
 
 PointSet::PointSet(std::size_t count, unsigned dims) : countLog2_(log2OfCount(count)) {
@@ -40,27 +51,22 @@ PointSet::PointSet(std::size_t count, unsigned dims) : countLog2_(log2OfCount(co
     coordinates_.resize(dims, std::vector<uint32_t>(count));
 }
 
-template <class Value>
-PointSet PointSet::fromValues(const Value* values, std::size_t count, unsigned dims) {
+PointSet PointSet::fromIntegers(const uint32_t* values, std::size_t count, unsigned dims) {
     PointSet set(count, dims);
-    for (std::size_t i = 0; i < count; ++i) {
-        for (unsigned d = 0; d < dims; ++d) {
-            set.coordinates_[d][i] = fractionOf(values[i * dims + d], i, d);
-        }
-    }
+    setCoordinates(set.coordinates_, values);
     return set;
 }
 
-PointSet PointSet::fromIntegers(const uint32_t* values, std::size_t count, unsigned dims) {
-    return fromValues(values, count, dims);
-}
-
 PointSet PointSet::fromFloats(const float* values, std::size_t count, unsigned dims) {
-    return fromValues(values, count, dims);
+    PointSet set(count, dims);
+    setCoordinates(set.coordinates_, values);
+    return set;
 }
 
 PointSet PointSet::fromFloats(const double* values, std::size_t count, unsigned dims) {
-    return fromValues(values, count, dims);
+    PointSet set(count, dims);
+    setCoordinates(set.coordinates_, values);
+    return set;
 }
 
 PointSet PointSet::projection(const std::vector<unsigned>& dims) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
-#include "kinetic_tournament.h"
 #include "wellstrat/analysis/discrepancy.h"
+
+#include "kinetic_tournament.h"
 
 #include <algorithm>
 #include <queue>

@@ -5,6 +5,7 @@
 #include "batch/kernels.h"
 #include "core/order_check.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/tables.h"
 
 #include <atomic>
 #include <cstring>
@@ -13,6 +14,7 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace {
 
+using batch::chosenKernels;
 using batch::Kernels;
 
 /// Null until the first batch or until a target is forced.
@@ -25,7 +27,12 @@ const Kernels* kernelsAt(unsigned index) {
     return index == 0 ? &batch::kScalarKernels : nullptr;
 }
 
-const Kernels& kernels() {
+/// The kernels of a draw do not write to the contexts when the step is 0.
+SampleCtx* readOnly(const SampleCtx* contexts) { return const_cast<SampleCtx*>(contexts); }
+
+} // namespace
+
+const Kernels& batch::chosenKernels() {
     const Kernels* current = chosen.load(std::memory_order_relaxed);
     if (current == nullptr) {
         current = kernelsAt(0);
@@ -34,17 +41,12 @@ const Kernels& kernels() {
     return *current;
 }
 
-/// The kernels of a draw do not write to the contexts when the step is 0.
-SampleCtx* readOnly(const SampleCtx* contexts) { return const_cast<SampleCtx*>(contexts); }
-
-} // namespace
-
 const char* batchTarget(unsigned index) {
     const Kernels* k = kernelsAt(index);
     return k != nullptr ? k->target : nullptr;
 }
 
-const char* chosenBatchTarget() { return kernels().target; }
+const char* chosenBatchTarget() { return chosenKernels().target; }
 
 bool forceBatchTarget(const char* name) {
     for (unsigned i = 0; const Kernels* k = kernelsAt(i); ++i) {
@@ -57,42 +59,42 @@ bool forceBatchTarget(const char* name) {
 }
 
 void drawSamples1D(std::size_t n, const SampleCtx* contexts, float* xis) {
-    if (n > 0) kernels().draw1D(n, tables(), readOnly(contexts), 0, xis);
+    if (n > 0) chosenKernels().draw1D(n, tables(), readOnly(contexts), 0, xis);
 }
 
 void drawSamples2D(std::size_t n, const SampleCtx* contexts, Float2* xis) {
-    if (n > 0) kernels().draw2D(n, tables(), readOnly(contexts), 0, xis);
+    if (n > 0) chosenKernels().draw2D(n, tables(), readOnly(contexts), 0, xis);
 }
 
 void drawSamples3D(std::size_t n, const SampleCtx* contexts, Float3* xis) {
-    if (n > 0) kernels().draw3D(n, tables(), readOnly(contexts), 0, xis);
+    if (n > 0) chosenKernels().draw3D(n, tables(), readOnly(contexts), 0, xis);
 }
 
 void generateSamples1D(std::size_t n, SampleCtx* contexts, float* xis) {
-    if (n > 0) kernels().draw1D(n, tables(), contexts, 1, xis);
+    if (n > 0) chosenKernels().draw1D(n, tables(), contexts, 1, xis);
 }
 
 void generateSamples2D(std::size_t n, SampleCtx* contexts, Float2* xis) {
-    if (n > 0) kernels().draw2D(n, tables(), contexts, 1, xis);
+    if (n > 0) chosenKernels().draw2D(n, tables(), contexts, 1, xis);
 }
 
 void generateSamples3D(std::size_t n, SampleCtx* contexts, Float3* xis) {
-    if (n > 0) kernels().draw3D(n, tables(), contexts, 1, xis);
+    if (n > 0) chosenKernels().draw3D(n, tables(), contexts, 1, xis);
 }
 
 void drawJointSamples1D(std::size_t n, const SampleCtx* contexts, Order order, float* xis) {
     if (!detail::hasSlot(order)) return drawSamples1D(n, contexts, xis);
-    if (n > 0) kernels().drawJoint1D(n, tables(), contexts, order.slot, order.splits, xis);
+    if (n > 0) chosenKernels().drawJoint1D(n, tables(), contexts, order.slot, order.splits, xis);
 }
 
 void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Float2* xis) {
     if (!detail::hasSlot(order)) return drawSamples2D(n, contexts, xis);
-    if (n > 0) kernels().drawJoint2D(n, tables(), contexts, order.slot, order.splits, xis);
+    if (n > 0) chosenKernels().drawJoint2D(n, tables(), contexts, order.slot, order.splits, xis);
 }
 
 void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
     if (!detail::hasSlot(order)) return drawSamples3D(n, contexts, xis);
-    if (n > 0) kernels().drawJoint3D(n, tables(), contexts, order.slot, order.splits, xis);
+    if (n > 0) chosenKernels().drawJoint3D(n, tables(), contexts, order.slot, order.splits, xis);
 }
 
 void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {
@@ -101,16 +103,16 @@ void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, Samp
 
 void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
                        unsigned newsampleid, SampleCtx* children) {
-    if (n > 0) kernels().newDomainsDistrib(n, parents, scramble, newsampleid, children);
+    if (n > 0) chosenKernels().newDomainsDistrib(n, parents, scramble, newsampleid, children);
 }
 
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                      unsigned newnumsamples, SampleCtx* children) {
-    if (n > 0) kernels().newDomainsSplit(n, parents, scramble, newnumsamples, children);
+    if (n > 0) chosenKernels().newDomainsSplit(n, parents, scramble, newnumsamples, children);
 }
 
 void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
-    if (n > 0) kernels().hashToRandom(n, contexts, xis);
+    if (n > 0) chosenKernels().hashToRandom(n, contexts, xis);
 }
 
 } // namespace stream1

@@ -4,8 +4,11 @@
 
 #pragma once
 
-#include "wellstrat/batch.h"
-#include "wellstrat/tables.h"
+#include "wellstrat/domain.h"
+#include "wellstrat/vector.h"
+
+#include <cstddef>
+#include <cstdint>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -40,6 +43,9 @@ extern const Kernels kScalarKernels;
 
 /// Those sets of vector code that this processor can run, best first; ends with a null pointer.
 const Kernels* const* vectorKernels();
+
+/// The set that all batches use: the best, or the one that was forced (wellstrat/batch_target.h).
+const Kernels& chosenKernels();
 
 } // namespace batch
 } // namespace stream1

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "debug/draw_record.h"
-#include "wellstrat/domain_linter.h"
+#include "wellstrat/domain_finding.h"
 
 #include <vector>
 
@@ -14,8 +14,7 @@ inline namespace stream1 {
 namespace detail {
 
 /// All faults in a record, sorted by kind and message.
-std::vector<DomainLinter::Finding> findFaults(const Derivations& derivations,
-                                              const DrawRecord& record);
+std::vector<DomainFinding> findFaults(const Derivations& derivations, const DrawRecord& record);
 
 } // namespace detail
 } // namespace stream1

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "debug/draw_record.h"
-#include "wellstrat/domain_linter.h"
+#include "wellstrat/domain_finding.h"
 
 #include <algorithm>
 #include <map>
@@ -18,8 +18,8 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace detail {
 
-using Fault = DomainLinter::Fault;
-using Finding = DomainLinter::Finding;
+using Fault = DomainFault;
+using Finding = DomainFinding;
 
 /// A sample that was drawn.
 struct Use {

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the tests of the command line tool share. The program is named by $WELLSTRAT."""
+"""What the tests of the command line tool share. The program is named by $WELLSTRAT, and the one
+that renders, if it is built, by $WELLSTRAT_RENDER."""
 
 import array
 import ast
@@ -15,6 +16,7 @@ import time
 import unittest
 
 PROGRAM = os.environ["WELLSTRAT"]
+RENDER_PROGRAM = os.environ.get("WELLSTRAT_RENDER")
 
 
 class CliTest(unittest.TestCase):

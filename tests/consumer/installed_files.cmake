@@ -1,9 +1,13 @@
-# Compares the files below PREFIX with the list in EXPECTED, where the library folder is "lib".
+# Compares the files below PREFIX with the list in EXPECTED, where the library folder is "lib". With
+# WITHOUT given, files whose names fit that expression must not be there.
 
 file(GLOB_RECURSE found RELATIVE ${PREFIX} ${PREFIX}/*)
 list(TRANSFORM found REPLACE "^${LIBDIR}/" "lib/")
 list(SORT found)
 file(STRINGS ${EXPECTED} expected)
+if(DEFINED WITHOUT)
+  list(FILTER expected EXCLUDE REGEX "${WITHOUT}")
+endif()
 list(SORT expected)
 
 set(missing ${expected})

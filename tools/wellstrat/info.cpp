@@ -3,8 +3,8 @@
 // wellstrat info: what this build is and what its tables cost.
 
 #include "commands.h"
-#include "output_file.h"
-#include "versions.h"
+#include "common/command_line/versions.h"
+#include "common/output/output_file.h"
 #include "wellstrat/tables.h"
 
 #include <fmt/format.h>

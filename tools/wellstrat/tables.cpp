@@ -5,11 +5,11 @@
 #include "wellstrat/tables.h"
 
 #include "commands.h"
-#include "errors.h"
-#include "npy.h"
-#include "options.h"
-#include "output_file.h"
-#include "versions.h"
+#include "common/command_line/errors.h"
+#include "common/command_line/options.h"
+#include "common/command_line/versions.h"
+#include "common/output/output_file.h"
+#include "points/npy.h"
 
 #include <fmt/format.h>
 

@@ -3,11 +3,11 @@
 // wellstrat verify: checks every promise about stratification and prints the certificate.
 
 #include "commands.h"
-#include "errors.h"
-#include "options.h"
-#include "output_file.h"
-#include "progress.h"
-#include "versions.h"
+#include "common/command_line/errors.h"
+#include "common/command_line/options.h"
+#include "common/command_line/progress.h"
+#include "common/command_line/versions.h"
+#include "common/output/output_file.h"
 #include "wellstrat/analysis/certificate.h"
 #include "wellstrat/tables.h"
 

@@ -13,9 +13,6 @@
 namespace wellstrat {
 inline namespace stream1 {
 
-/// What lies beyond the border of the cube: nothing, or the opposite side.
-enum class Topology { cube, torus };
-
 /// The distances of points to their nearest neighbors, Euclidean, in units of the cube's side.
 /// Infinite if there is one point only.
 struct NearestDistances {

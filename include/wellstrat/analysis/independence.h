@@ -44,7 +44,7 @@ struct CoordinatePair {
     double chiSquareProbability;   ///< of a chi-square at least as far out on its side, twice
 
     /// Of the more unlikely of both, both having been tried: a correction of Bonferroni's.
-    double probability() const;
+    WELLSTRAT_API double probability() const;
 };
 
 struct IndependenceReport {
@@ -54,7 +54,7 @@ struct IndependenceReport {
     std::vector<CoordinatePair> worst; ///< the most unlikely first
 
     /// Of the worst pair, all having been tried: at most 1. Small means dependence.
-    double probability() const;
+    WELLSTRAT_API double probability() const;
 };
 
 /// Tests each coordinate of each stream against each coordinate of all others, with a grid of

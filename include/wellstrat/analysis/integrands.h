@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Functions on the unit cube whose integrals are known, to measure the error of samples with.
+// Integrands by name, to measure the error of samples with.
 //
 //     const Integrand disk = makeIntegrand("disk");
 //     disk.value(point) ... disk.integral          // 0.5
@@ -13,44 +13,21 @@
 
 #pragma once
 
+#include "wellstrat/analysis/integrand.h"
 #include "wellstrat/platform.h"
 
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace wellstrat {
 inline namespace stream1 {
 
-/// The dimensions, each 1, 2 or 3, of the domains that a sample draws from: {2} is one 2D draw,
-/// {2, 1} a 2D draw and a 1D draw from another domain.
-using DomainDims = std::vector<unsigned>;
-
 constexpr unsigned kMaxIntegrandDomains = 5;
 
 /// The coordinates of all domains together.
 WELLSTRAT_API unsigned totalDims(const DomainDims& domains);
 
-/// A function on [0,1)^s, s = totalDims(domains).
-struct Integrand {
-    std::string name;
-    DomainDims domains;
-    double integral; ///< exact, rounded to double
-    /// The value at point[0, s), the coordinates of one domain after those of another. Pure; safe
-    /// in any thread.
-    std::function<double(const double* point)> value;
-};
-
-/// A named integrand, or many that differ in a parameter, a whole number.
-struct IntegrandFamily {
-    std::string name;    ///< "disk"; with a parameter "edge-A", where A stands for the number
-    DomainDims domains;  ///< the same for the whole family
-    std::string formula; ///< the value, for example "1 if x < y, else 0"
-    bool hasParameter;
-    unsigned first, last; ///< the accepted parameters, both included
-};
-
-/// All of them, those in one dimension first.
+/// All that have names, those in one dimension first.
 WELLSTRAT_API std::vector<IntegrandFamily> integrandFamilies();
 
 /// The integrand called `name`: one of integrandFamilies(), or a product of such, written with '*'

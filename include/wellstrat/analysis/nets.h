@@ -36,7 +36,7 @@ struct NetReport {
 
     bool holds() const { return violations == 0; }
     /// Adds the counts of another check; the first violation stays the first.
-    NetReport& operator+=(const NetReport& other);
+    WELLSTRAT_API NetReport& operator+=(const NetReport& other);
 };
 
 /// Is the whole set a (t,m,s)-net? The number of points must be b^m with m >= t: NetError if not.

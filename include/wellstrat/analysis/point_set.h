@@ -54,8 +54,6 @@ public:
 
 private:
     PointSet(std::size_t count, unsigned dims);
-    template <class Value>
-    static PointSet fromValues(const Value* values, std::size_t count, unsigned dims);
 
     unsigned countLog2_;
     std::vector<std::vector<uint32_t>> coordinates_;

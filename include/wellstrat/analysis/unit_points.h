@@ -14,6 +14,9 @@
 namespace wellstrat {
 inline namespace stream1 {
 
+/// What lies beyond the border of the cube: nothing, or the opposite side.
+enum class Topology { cube, torus };
+
 /// Thrown for input that is no point set; what() says which value is wrong and what is accepted.
 class WELLSTRAT_API PointError : public std::invalid_argument {
 public:

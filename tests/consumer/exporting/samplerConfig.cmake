@@ -1,0 +1,3 @@
+include(CMakeFindDependencyMacro)
+find_dependency(wellstrat)
+include(${CMAKE_CURRENT_LIST_DIR}/samplerTargets.cmake)

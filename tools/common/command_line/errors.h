@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the tool reports when it cannot do what was asked.
+
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace wellstrat::cli {
+
+constexpr int kExitViolation = 1; ///< a promise does not hold
+constexpr int kExitError = 2;     ///< bad arguments, or something outside failed
+
+/// Says in one line what was wrong and, for bad arguments, what is accepted.
+class CliError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The error "cannot ACTION 'PATH': reason", with the reason that `errnoValue` stands for.
+CliError fileError(std::string_view action, std::string_view path, int errnoValue);
+
+/// `text` with control characters written as \n, \t or \xNN, so that it prints as one line
+/// whatever file names it quotes.
+std::string oneLine(std::string_view text);
+
+/// What run() returns or, if it throws a std::exception, kExitError after one line on the standard
+/// error that says why.
+int exitCodeOf(const std::function<int()>& run);
+
+} // namespace wellstrat::cli

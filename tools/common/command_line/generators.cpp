@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "generators.h"
+
+#include "errors.h"
+#include "wellstrat/joint.h"
+#include "wellstrat/random_generator.h"
+
+#include <fmt/format.h>
+
+namespace wellstrat::cli {
+
+const std::vector<NamedGenerator>& namedGenerators() {
+    static const RandomGenerator random;
+    static const std::vector<NamedGenerator> generators{
+        {"pmj", "well stratified, from the tables", nullptr},
+        {"random", "independent random numbers", &random},
+    };
+    return generators;
+}
+
+const std::vector<NamedGenerator>& sampleGenerators() {
+    static const std::vector<NamedGenerator> generators = [] {
+        static const JointProgressive joint;
+        std::vector<NamedGenerator> all = namedGenerators();
+        all.push_back({"joint", "the tables in the order of slot 0 of joint stratification", &joint,
+                       jointOrder(0)});
+        return all;
+    }();
+    return generators;
+}
+
+const NamedGenerator& findGenerator(const std::string& option, const std::string& name,
+                                    const std::vector<NamedGenerator>& among) {
+    std::string names;
+    for (const NamedGenerator& candidate : among) {
+        if (name == candidate.name) return candidate;
+        names += names.empty() ? candidate.name : fmt::format(", {}", candidate.name);
+    }
+    throw CliError(
+        fmt::format("{}: no generator is called '{}'; there are {}", option, name, names));
+}
+
+} // namespace wellstrat::cli

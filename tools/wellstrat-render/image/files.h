@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The image files that a command writes.
+
+#pragma once
+
+#include "common/output/output_file.h"
+
+#include "renderer/film_part.h"
+
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+
+/// Files of one image: .exr with the exact sums, .png and .hdr as pictures only. They appear when
+/// all are complete. Throws CliError if a name has none of these suffixes or cannot be written.
+class ImageFiles {
+public:
+    /// `option` is named in messages.
+    ImageFiles(const std::string& option, const std::vector<std::string>& paths);
+
+    /// Whether one of the files is .exr, and so can be resumed.
+    bool keepSums() const;
+
+    void write(const render::FilmPart& part);
+    void commit();
+
+private:
+    std::vector<std::string> paths_, suffixes_;
+    std::deque<OutputFile> files_;
+};
+
+/// Reads an image with its sums. Throws CliError, which names the file.
+render::FilmPart readImage(const std::string& path);
+
+} // namespace wellstrat::cli

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// wellstrat merge: puts together images with different samples.
+
+#include "commands.h"
+#include "common/command_line/errors.h"
+#include "common/command_line/render_commands.h"
+#include "image/files.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+namespace {
+
+constexpr auto kExamples =
+    R"(The inputs are .exr files of `wellstrat render` with the same scene, size and options, and each
+with other samples. The order does not matter: the result is the same bits as if all samples had
+been rendered at once. If samples are missing, it says which.
+
+Examples:
+  wellstrat render veach -o a.exr --samples 0:512
+  wellstrat render veach -o b.exr --samples 512:1024
+  wellstrat merge a.exr b.exr -o veach.exr -o veach.png
+)";
+
+struct MergeOptions {
+    std::vector<std::string> inputs, outputs;
+};
+
+void merge(const MergeOptions& options) {
+    ImageFiles files("--output", options.outputs);
+    render::FilmPart sum = readImage(options.inputs.front());
+    for (std::size_t i = 1; i < options.inputs.size(); ++i) {
+        const std::string& path = options.inputs[i];
+        try {
+            render::addPart(sum, readImage(path));
+        } catch (const std::logic_error& error) {
+            throw CliError(
+                fmt::format("'{}' cannot be added to those before it: {}", path, error.what()));
+        }
+    }
+    files.write(sum);
+    files.commit();
+    const std::string missing = render::missingSamples(sum);
+    if (!missing.empty()) fmt::print(stderr, "wellstrat: missing: {}\n", missing);
+}
+
+} // namespace
+
+void addMerge(CLI::App& app, int& /*exitCode*/) {
+    CLI::App* const command = app.add_subcommand(kMerge.name, kMerge.description);
+    const auto options = std::make_shared<MergeOptions>();
+    command->add_option("images", options->inputs, "Images with sums: .exr")
+        ->required()
+        ->type_name("FILE...");
+    command
+        ->add_option("-o,--output", options->outputs,
+                     "The image: FILE.exr, FILE.png or FILE.hdr; may be given several times")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+    command->footer(kExamples);
+    command->callback([options] { merge(*options); });
+}
+
+} // namespace wellstrat::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The options of wellstrat render.
+
+#pragma once
+
+#include "scene/options.h"
+
+#include <CLI/App.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+
+/// Samples begin to end - 1 of each pixel.
+struct SampleSpan {
+    uint32_t begin, end;
+};
+
+struct RenderOptions {
+    SceneOptions scene;
+    std::string generator = "pmj";
+    std::vector<std::string> outputs;
+    std::optional<uint64_t> spp;
+    std::optional<SampleSpan> samples;
+    std::optional<double> timeLimit, noise;
+    std::optional<std::string> checkpoint, resume;
+    uint64_t saveEvery = 30;
+    bool list = false;
+};
+
+/// `options` must outlive `command`.
+void addRenderOptions(CLI::App& command, RenderOptions& options);
+
+} // namespace wellstrat::cli

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "load.h"
+
+#include "common/command_line/errors.h"
+
+#include "renderer/builtin_scenes.h"
+#include "renderer/film.h"
+#include "renderer/framing.h"
+#include "renderer/memory.h"
+#include "renderer/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace wellstrat::cli {
+namespace {
+
+constexpr unsigned kDefaultRows = 256;
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+render::Scene sceneOf(const std::string& name) {
+    if (render::isBuiltinScene(name)) return render::builtinScene(name);
+    std::error_code ignored;
+    if (!std::filesystem::exists(name, ignored)) {
+        std::string names;
+        for (const auto& scene : render::builtinScenes()) {
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", scene.name);
+        }
+        throw CliError(fmt::format("there is no file '{}'; built-in scenes are {}", name, names));
+    }
+    return render::readScene(name);
+}
+
+/// The point in front of a camera at which it is focused.
+Float3 focusPoint(const render::Camera& camera) {
+    return camera.position + camera.forward * camera.focusDistance;
+}
+
+/// A camera moved or turned, focused on what it looks at.
+render::Camera placed(const SceneOptions& options, const render::Scene& scene,
+                      const render::Camera& old) {
+    const Float3 position = options.position.value_or(old.position);
+    const Float3 target = options.lookAt.value_or(
+        options.position ? render::sceneBounds(scene).center() : focusPoint(old));
+    const Float3 up = options.up.value_or(Float3(0, 1, 0));
+    render::Camera camera = render::lookAt(position, target, up, old.verticalFov);
+    camera.lensRadius = old.lensRadius;
+    camera.focusDistance = (target - position).Length();
+    return camera;
+}
+
+void changeCamera(const SceneOptions& options, render::Scene& scene) {
+    render::Camera& camera = *scene.camera;
+    if (scene.cameraIsAutomatic && options.size) {
+        const auto [width, height] = *options.size;
+        camera = render::framingCamera(render::sceneBounds(scene),
+                                       static_cast<float>(width) / static_cast<float>(height));
+    }
+    try {
+        if (options.position || options.lookAt || options.up) {
+            camera = placed(options, scene, camera);
+        }
+    } catch (const std::invalid_argument& error) {
+        throw CliError(fmt::format("--camera: {}", error.what()));
+    }
+    if (options.fov) camera.verticalFov = static_cast<float>(*options.fov * kDegree);
+    if (options.lensRadius) camera.lensRadius = static_cast<float>(*options.lensRadius);
+    if (options.focus) camera.focusDistance = static_cast<float>(*options.focus);
+}
+
+/// Puts `text` in the place of a note that the options made untrue; nothing if that is empty.
+void replaceNote(std::vector<std::string>& notes, std::string_view untrue,
+                 const std::string& text) {
+    const auto note = std::find(notes.begin(), notes.end(), untrue);
+    if (note == notes.end()) return;
+    if (text.empty()) {
+        notes.erase(note);
+    } else {
+        *note = text;
+    }
+}
+
+} // namespace
+
+std::string sceneList() {
+    std::string text;
+    for (const auto& scene : render::builtinScenes()) {
+        fmt::format_to(std::back_inserter(text), "{:<12} {}\n", scene.name, scene.description);
+    }
+    return text;
+}
+
+render::Scene loadScene(const SceneOptions& options) {
+    render::Scene scene = sceneOf(options.scene);
+    if (options.environment) {
+        scene.environment = render::readEnvironment(*options.environment, &scene.notes);
+        replaceNote(scene.notes, render::kNoLightNote, "");
+    }
+    changeCamera(options, scene);
+    if (options.position) {
+        replaceNote(scene.notes, render::kNoCameraNote, "");
+    } else if (options.lookAt || options.up || options.fov) {
+        replaceNote(scene.notes, render::kNoCameraNote,
+                    "There is no camera: it stands in front of the scene.");
+    }
+    return scene;
+}
+
+ImageSize imageSize(const SceneOptions& options, const render::Scene& scene) {
+    const double columns = std::round(double{kDefaultRows} * double{scene.aspect});
+    const ImageSize size = options.size.value_or(
+        ImageSize{static_cast<unsigned>(std::clamp(columns, 1.0, double{render::kMaxFilmSize})),
+                  kDefaultRows});
+    requireMemory("--size", render::filmMemory(size.width, size.height),
+                  fmt::format("{}x{} pixels", size.width, size.height));
+    return size;
+}
+
+void requireMemory(const std::string& option, uint64_t bytes, const std::string& what) {
+    try {
+        render::requireMemory(bytes, what);
+    } catch (const std::runtime_error& error) {
+        throw CliError(fmt::format("{}: {}", option, error.what()));
+    }
+}
+
+void sayNotes(const render::Scene& scene) {
+    for (const std::string& note : scene.notes) {
+        fmt::print(stderr, "wellstrat: {}\n", oneLine(note));
+    }
+}
+
+} // namespace wellstrat::cli

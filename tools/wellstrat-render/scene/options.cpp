@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "options.h"
+
+#include "common/command_line/options.h"
+
+#include "renderer/film.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+namespace wellstrat::cli {
+namespace {
+
+/// As in scene files: farther out, squares of areas exceed the largest float.
+constexpr double kMostUnits = 1e9;
+
+/// Reads a coordinate in front of `text` and moves `text` behind it.
+bool takeFloat(std::string_view& text, float& number) {
+    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
+    return error == std::errc() && std::abs(double{number}) <= kMostUnits;
+}
+
+bool take(std::string_view& text, char c) {
+    if (text.empty() || text[0] != c) return false;
+    text.remove_prefix(1);
+    return true;
+}
+
+void addPoint(CLI::App& command, const std::string& flag, std::optional<Float3>& point,
+              const std::string& description) {
+    const auto read = [&point, flag](const std::string& text) {
+        std::string_view rest = text;
+        Float3 p;
+        if (!takeFloat(rest, p.x) || !take(rest, ',') || !takeFloat(rest, p.y) ||
+            !take(rest, ',') || !takeFloat(rest, p.z) || !rest.empty()) {
+            throw CLI::ValidationError(flag,
+                                       fmt::format("not three numbers X,Y,Z from {} to {}: '{}'",
+                                                   -kMostUnits, kMostUnits, text));
+        }
+        point = p;
+    };
+    command.add_option_function<std::string>(flag, read, description)->type_name("X,Y,Z");
+}
+
+void addSize(CLI::App& command, std::optional<ImageSize>& size) {
+    const auto read = [&size](const std::string& text) {
+        const std::size_t cross = text.find('x');
+        uint64_t width = 0, height = 0;
+        const NumberRange range{1, render::kMaxFilmSize};
+        if (cross == std::string::npos ||
+            !parseNumber(std::string_view(text).substr(0, cross), range, width) ||
+            !parseNumber(std::string_view(text).substr(cross + 1), range, height)) {
+            throw CLI::ValidationError("--size",
+                                       fmt::format("not WIDTHxHEIGHT, both from 1 to {}: '{}'",
+                                                   render::kMaxFilmSize, text));
+        }
+        size = ImageSize{static_cast<unsigned>(width), static_cast<unsigned>(height)};
+    };
+    command
+        .add_option_function<std::string>("--size", read,
+                                          "Pixels [256 rows in the shape of the scene]")
+        ->type_name("WxH");
+}
+
+} // namespace
+
+CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
+    CLI::Option* const scene =
+        command.add_option("scene", options.scene, "A built-in scene, or a file that Assimp reads")
+            ->type_name("SCENE");
+    addSize(command, options.size);
+    addNumber(command, "--depth", options.depth, {0, 1000},
+              "Bounces of indirect light; 0 is direct light only [5]");
+    addNumber(command, "--split", options.split, {1, 4096}, "Light samples at the first hit [1]");
+    command.add_flag("--distrib", options.distrib,
+                     "At later hits, as many light samples as the path is worth");
+    addNumber(command, "--seed", options.seed, {0, kMaxWord}, "Another one, other noise [0]");
+    addNumber(command, "--threads", options.threads, {1, 1024}, "Threads [all]");
+    command
+        .add_option("--environment", options.environment,
+                    "Light from around: a latitude-longitude picture, such as FILE.hdr")
+        ->type_name("FILE");
+    addPoint(command, "--camera", options.position, "Where the camera is");
+    addPoint(command, "--look-at", options.lookAt, "Where it looks, and is focused");
+    addPoint(command, "--up", options.up, "What is up in the picture [0,1,0]");
+    addReal(command, "--fov", options.fov, {0.001, 179}, "Vertical field of view in degrees");
+    addReal(command, "--lens-radius", options.lensRadius, {0, kMostUnits},
+            "In units of the scene; 0 is a pinhole");
+    addReal(command, "--focus", options.focus, {1 / kMostUnits, kMostUnits},
+            "Distance of what is sharp");
+    return scene;
+}
+
+std::string shellWord(const std::string& text) {
+    std::string word = "'";
+    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+    return word + "'";
+}
+
+std::string sceneArguments(const SceneOptions& options, ImageSize size) {
+    std::string text =
+        fmt::format("{} --size {}x{} --depth {} --split {} --seed {}", shellWord(options.scene),
+                    size.width, size.height, options.depth, options.split, options.seed);
+    if (options.distrib) text += " --distrib";
+    if (options.environment) text += " --environment " + shellWord(*options.environment);
+    const auto addPoint = [&text](const char* flag, const std::optional<Float3>& p) {
+        if (p) text += fmt::format(" {} {},{},{}", flag, p->x, p->y, p->z);
+    };
+    addPoint("--camera", options.position);
+    addPoint("--look-at", options.lookAt);
+    addPoint("--up", options.up);
+    const auto addReal = [&text](const char* flag, const std::optional<double>& value) {
+        if (value) text += fmt::format(" {} {}", flag, *value);
+    };
+    addReal("--fov", options.fov);
+    addReal("--lens-radius", options.lensRadius);
+    addReal("--focus", options.focus);
+    return text;
+}
+
+} // namespace wellstrat::cli

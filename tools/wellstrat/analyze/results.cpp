@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "results.h"
+
+#include "common/command_line/versions.h"
+#include "common/output/lines.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace wellstrat::cli {
+namespace {
+
+/// Sections of lines, with an empty line between them.
+class Report : public Lines {
+public:
+    void section(const char* title) { line("\n{}", title); }
+};
+
+/// The mean of a radial quantity over the frequencies from..to, both included.
+double ringMean(const std::vector<double>& rings, std::size_t from, std::size_t to) {
+    to = std::min(to, rings.size() - 1);
+    double sum = 0;
+    for (std::size_t r = from; r <= to; ++r) sum += rings[r];
+    return sum / static_cast<double>(to - from + 1);
+}
+
+/// Up to half the frequency that the mean spacing of the points stands for.
+std::size_t lowFrequency(std::size_t count) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::sqrt(double(count)) / 2));
+}
+
+std::string yesNo(const std::optional<bool>& value) {
+    if (!value) return "-";
+    return *value ? "yes" : "no";
+}
+
+void reportNets(const Measures& measures, Report& report) {
+    report.section("t as a net in base 2, 0 is best");
+    if (measures.nets.empty()) {
+        report.line("  not there: the number of points is no power of two");
+        return;
+    }
+    report.line("  {:<16} {:>8} {:>16} {:>16}", "projection", "t", "aligned blocks",
+                "base-4 boxes");
+    for (const NetQuality& net : measures.nets) {
+        report.line("  {:<16} {:>8} {:>16} {:>16}", projectionName(net.projection, measures.dims),
+                    net.t, net.sequenceT ? fmt::to_string(*net.sequenceT) : "-",
+                    yesNo(net.holdsBase4Boxes));
+    }
+}
+
+void reportDiscrepancies(const Measures& measures, Report& report) {
+    report.section("discrepancy");
+    if (!measures.star) {
+        report.line("  {:<16} not there: more than {} dimensions", "star", kMaxStarDimensions);
+    } else if (measures.star->exact()) {
+        report.line("  {:<16} {:.6g}", "star", measures.star->lower);
+    } else {
+        report.line("  {:<16} {:.6g} to {:.6g}", "star", measures.star->lower,
+                    measures.star->upper);
+    }
+    for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
+        const std::string name = fmt::format("L2 {}", kL2Kinds[k].name);
+        if (measures.l2[k]) {
+            report.line("  {:<16} {:.6g}", name, *measures.l2[k]);
+        } else {
+            report.line("  {:<16} left out: more than {} points", name, kMaxSquarePoints);
+        }
+    }
+}
+
+void reportGeometry(const Measures& measures, Report& report) {
+    report.section("distance to the nearest point");
+    report.line("  {:<16} {:>12} {:>12}", "", "minimum", "mean");
+    for (const auto& [name, distances] :
+         {std::pair("cube", measures.onCube), std::pair("torus", measures.onTorus)}) {
+        report.line("  {:<16} {:>12.6g} {:>12.6g}", name, distances.minimum, distances.mean);
+    }
+    if (const auto share = packing(measures)) {
+        report.line("  {:<16} {:>12.4f}", "of the largest", *share);
+    }
+    if (!measures.pairs) return;
+    report.section("pair correlation, independent points have 1");
+    const std::vector<double>& values = measures.pairs->values;
+    constexpr std::size_t kRows = 12;
+    const std::size_t perRow = values.size() / kRows;
+    for (std::size_t k = 0; k < values.size(); k += perRow) {
+        const double mean = ringMean(values, k, k + perRow - 1);
+        report.line("  {:.4g} to {:.4g}  {:.4f}", static_cast<double>(k) * measures.pairs->step,
+                    static_cast<double>(k + perRow) * measures.pairs->step, mean);
+    }
+}
+
+void reportSpectra(const Measures& measures, Report& report) {
+    if (measures.spectra.empty()) return;
+    const std::size_t low = lowFrequency(measures.count);
+    report.section("spectrum, independent points have 1 (0 dB)");
+    report.line("  mean of {} realizations, frequencies up to {}; low ones up to {}",
+                measures.realizations, measures.spectra.front().periodogram.maxFrequency(), low);
+    report.line("  {:<16} {:>12} {:>12} {:>14} {:>20}", "projection", "low mean", "other mean",
+                "anisotropy", "peak");
+    for (const PlaneSpectrum& plane : measures.spectra) {
+        const std::size_t rings = plane.radial.mean.size();
+        report.line(
+            "  {:<16} {:>9.1f} dB {:>9.1f} dB {:>11.1f} dB {:>20}",
+            projectionName(plane.projection, measures.dims),
+            decibels(ringMean(plane.radial.mean, 1, low)),
+            decibels(ringMean(plane.radial.mean, low + 1, rings - 1)),
+            ringMean(plane.radial.anisotropyDb, low + 1, rings - 1),
+            fmt::format("{:.3g} at ({}, {})", plane.peak.power, plane.peak.fx, plane.peak.fy));
+    }
+}
+
+void reportIndependence(const Measures& measures, Report& report) {
+    if (measures.independence.empty()) return;
+    report.section(
+        "independence: probabilities are those of a random order; the order of stratified "
+        "samples\nis not quite random, which makes spread and chi-square up to 1.3 times as "
+        "large");
+    for (const FamilyIndependence& family : measures.independence) {
+        report.section(fmt::format("{}", family.name).c_str());
+        report.line(
+            "  {} coordinate pairs; spread of their correlations {:.3f}, mean chi-square "
+            "{:.3f} on {} x {} cells (both 1 if in random order)",
+            family.report.pairs, family.report.correlationSpread, family.report.meanChiSquare,
+            family.gridSide, family.gridSide);
+        report.line("  {:<40} {:>12} {:>12} {:>12}", "worst pairs", "correlation", "chi-square",
+                    "probability");
+        for (const CoordinatePair& pair : family.report.worst) {
+            report.line("  {:<40} {:>12.4f} {:>12.3f} {:>12.2g}",
+                        coordinateName(family, pair.first, pair.firstDim, measures.dims) + " - " +
+                            coordinateName(family, pair.second, pair.secondDim, measures.dims),
+                        pair.correlation, pair.chiSquare, pair.probability());
+        }
+    }
+}
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json jsonOf(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json jsonOf(const NearestDistances& distances) {
+    // Infinity, of a single point, is no JSON.
+    if (std::isinf(distances.minimum)) return nullptr;
+    return {{"minimum", distances.minimum}, {"mean", distances.mean}};
+}
+
+Json jsonOf(const NetQuality& net) {
+    return {{"projection", net.projection},
+            {"t", net.t},
+            {"sequence_t", jsonOf(net.sequenceT)},
+            {"base4_boxes", jsonOf(net.holdsBase4Boxes)}};
+}
+
+Json jsonOf(const PlaneSpectrum& plane) {
+    return {{"projection", plane.projection},
+            {"max_frequency", plane.periodogram.maxFrequency()},
+            {"radial_mean", plane.radial.mean},
+            {"anisotropy_db", plane.radial.anisotropyDb},
+            {"peak", {{"frequency", {plane.peak.fx, plane.peak.fy}}, {"power", plane.peak.power}}}};
+}
+
+Json jsonOf(const FamilyIndependence& family, unsigned dims) {
+    Json worst = Json::array();
+    for (const CoordinatePair& pair : family.report.worst) {
+        worst.push_back({{"first", coordinateName(family, pair.first, pair.firstDim, dims)},
+                         {"second", coordinateName(family, pair.second, pair.secondDim, dims)},
+                         {"correlation", pair.correlation},
+                         {"chi_square", pair.chiSquare},
+                         {"probability", pair.probability()}});
+    }
+    return {{"family", family.name},
+            {"pairs", family.report.pairs},
+            {"grid_side", family.gridSide},
+            {"correlation_spread", family.report.correlationSpread},
+            {"mean_chi_square", family.report.meanChiSquare},
+            {"worst", worst}};
+}
+
+template <class Range, class... More>
+Json arrayOf(const Range& range, const More&... more) {
+    Json array = Json::array();
+    for (const auto& element : range) array.push_back(jsonOf(element, more...));
+    return array;
+}
+
+} // namespace
+
+std::string coordinateName(const FamilyIndependence& family, std::size_t stream, unsigned dim,
+                           unsigned dims) {
+    return fmt::format("{} {}", family.streams[stream], projectionName({dim}, dims));
+}
+
+std::optional<double> packing(const Measures& measures) {
+    if (measures.dims > 3 || measures.count < 2) return {};
+    return measures.onTorus.minimum / largestMinimumDistance(measures.count, measures.dims);
+}
+
+std::string measuresText(const Measures& measures, const std::string& subject) {
+    Report report;
+    report.line("{}", versionLine());
+    report.line("{}: {} points in {} dimensions", subject, measures.count, measures.dims);
+    reportNets(measures, report);
+    reportDiscrepancies(measures, report);
+    reportGeometry(measures, report);
+    reportSpectra(measures, report);
+    reportIndependence(measures, report);
+    return report.take();
+}
+
+std::string measuresJson(const Measures& measures, const std::string& subject) {
+    Json json = versionedJson();
+    json["subject"] = subject;
+    json["points"] = measures.count;
+    json["dimensions"] = measures.dims;
+    json["nets"] = arrayOf(measures.nets);
+    Json& discrepancy = json["discrepancy"];
+    discrepancy["star"] = nullptr;
+    if (measures.star) discrepancy["star"] = {measures.star->lower, measures.star->upper};
+    for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
+        discrepancy[fmt::format("l2_{}", kL2Kinds[k].name)] = jsonOf(measures.l2[k]);
+    }
+    json["nearest"] = {{"cube", jsonOf(measures.onCube)},
+                       {"torus", jsonOf(measures.onTorus)},
+                       {"of_largest_minimum", jsonOf(packing(measures))}};
+    json["pair_correlation"] = nullptr;
+    if (measures.pairs) {
+        json["pair_correlation"] = {{"step", measures.pairs->step},
+                                    {"values", measures.pairs->values}};
+    }
+    json["spectrum"] = {{"realizations", measures.realizations},
+                        {"projections", arrayOf(measures.spectra)}};
+    json["independence"] = arrayOf(measures.independence, measures.dims);
+    // File names need not be UTF-8.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace wellstrat::cli

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// wellstrat report: a page that shows generators in pictures and tables.
+
+#include "commands.h"
+#include "common/command_line/errors.h"
+#include "common/command_line/interrupt.h"
+#include "common/command_line/options.h"
+#include "common/command_line/progress.h"
+#include "common/command_line/versions.h"
+#include "common/output/output_file.h"
+#include "options.h"
+#include "sections.h"
+
+#include <fmt/format.h>
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+namespace {
+
+constexpr std::size_t kMaxGenerators = 12;
+constexpr uint32_t kFitFrom = 16;
+
+void checkOptions(const ReportOptions& options) {
+    const uint64_t count = options.size().count;
+    if ((count & (count - 1)) != 0) {
+        throw CliError(fmt::format("--count: {} is no power of two", count));
+    }
+    if (options.generators.size() > kMaxGenerators) {
+        throw CliError(fmt::format("--generators: at most {} can be compared, not {}",
+                                   kMaxGenerators, options.generators.size()));
+    }
+}
+
+StudyPlan planOf(const ReportOptions& options) {
+    StudyPlan plan{makeStudySources(options.generators), parseIntegrands(options.integrands),
+                   parseCounts(options.effort().counts), options.patternCount()};
+    if (plan.integrands.size() > kMaxPlottedIntegrands) {
+        throw CliError(fmt::format("--integrands: at most {} can be drawn, not {}",
+                                   kMaxPlottedIntegrands, plan.integrands.size()));
+    }
+    checkPlan(plan);
+    return plan;
+}
+
+/// Draws the pictures of a page, and keeps their files if asked to.
+class ReportPlots {
+public:
+    ReportPlots(const ReportOptions& options, std::size_t count)
+        : stem_(options.output.substr(0, options.output.rfind('.'))), keep_(options.keepPlotFiles),
+          count_(static_cast<double>(count)) {}
+
+    std::string draw(const std::string& name, const Plot& plot) {
+        progress_.show(++done_ / count_);
+        if (!keep_) return drawPlot(plot, ".svg").picture;
+        kept_.emplace_back("-o", fmt::format("{}-{}.svg", stem_, name), true);
+        return kept_.back().draw(plot);
+    }
+    void commit() {
+        for (Picture& picture : kept_) picture.commit();
+    }
+
+private:
+    std::string stem_;
+    bool keep_;
+    double count_, done_ = 0;
+    std::deque<Picture> kept_;
+    ProgressBar progress_{"pictures"};
+};
+
+void addGenerators(const std::vector<ReportSubject>& subjects, HtmlPage& page) {
+    HtmlTable table{"What is compared.", {"generator", "its points"}, {}};
+    for (const ReportSubject& subject : subjects) {
+        table.rows.push_back({subject.name, subject.description});
+    }
+    page.table(table);
+}
+
+void addCommands(const ReportOptions& options, HtmlPage& page) {
+    const ReportCommands commands = reportCommands(options);
+    const auto add = [&page](const char* what, const std::string& lines) {
+        if (lines.empty()) return;
+        page.paragraph(what);
+        page.code(lines);
+    };
+    page.section("How to make this again");
+    add("The page, and beside it the data and the gnuplot script of each picture:", commands.page);
+    add("Errors of integrals, with all digits:", commands.study);
+    add("Points of our own generators:", commands.samples);
+    add("Measures: in the plane independence and discrepancies; in three dimensions spectra, "
+        "nets and discrepancies:",
+        commands.measures);
+    add("Speed, on the machine at hand:", commands.bench);
+    page.paragraph(versionLine() +
+                   ". The same stream version has the same samples on every machine, and the "
+                   "numbers do not depend on how many threads compute them.");
+}
+
+std::string pageOf(const ReportOptions& options, const ReportContents& contents,
+                   const std::optional<BenchResults>& bench, ReportPlots& plots) {
+    HtmlPage page("Samples in pictures and numbers",
+                  fmt::format("How well {} generators of samples distribute their points, and what "
+                              "that does to the error of integrals. Made by {}.",
+                              contents.subjects.size(), versionLine()));
+    const DrawReportPlot draw = [&plots](const std::string& name, const Plot& plot) {
+        return plots.draw(name, plot);
+    };
+    ReportWriter report{contents, draw, page};
+    addGenerators(contents.subjects, page);
+    addPoints(report);
+    addSpectra(report);
+    addErrors(report);
+    addIndependence(report);
+    addNets(report);
+    addDiscrepancies(report);
+    if (bench) addSpeed(report, *bench);
+    addCommands(options, page);
+    return page.finish();
+}
+
+int report(const ReportOptions& options) {
+    checkOptions(options);
+    requireSuffix("--output", options.output, {".html"});
+    std::optional<BenchResults> bench;
+    if (options.bench) bench = readBench(*options.bench);
+    const StudyPlan plan = planOf(options);
+    OutputFile file(options.output);
+    const Ranks ranks;
+    StudyResult result{0, std::vector<ErrorSums>(plan.cells())};
+    runStudy(plan, ranks, result, [] {});
+    if (!ranks.isRoot()) return 0;
+    if (result.patterns < plan.patterns) {
+        fmt::print(stderr, "wellstrat: interrupted\n");
+        return kExitInterrupted;
+    }
+    const ReportContents contents{options.size(), measureSubjects(plan.sources, options.size()),
+                                  plan, result, studyCurves(plan, result, kFitFrom)};
+    ReportPlots plots(options, kPicturesPerGenerator * plan.sources.size() + kOtherPictures);
+    file.write(pageOf(options, contents, bench, plots));
+    file.commit();
+    plots.commit();
+    return 0;
+}
+
+} // namespace
+
+void addReport(CLI::App& app, int& exitCode) {
+    CLI::App* const command =
+        app.add_subcommand("report", "Show generators in pictures and tables, as one HTML page");
+    const auto options = std::make_shared<ReportOptions>();
+    addReportOptions(*command, *options);
+    command->callback([options, &exitCode] { exitCode = report(*options); });
+}
+
+} // namespace wellstrat::cli

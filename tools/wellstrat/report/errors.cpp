@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "sections.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace wellstrat::cli {
+namespace {
+
+std::string slopeText(const SlopeFit& fit) {
+    return std::isnan(fit.slope) ? "-" : fmt::format("{:.2f}", fit.slope);
+}
+
+void addSlopes(ReportWriter& report) {
+    HtmlTable table{
+        "Slopes of these lines at powers of two: -0.5 is the rate of random points; "
+        "-1.5 is the best for smooth integrands and -0.75 for edges in the plane. In "
+        "parentheses those over all N that were measured.",
+        {"integrand"},
+        {}};
+    const std::size_t generators = report.contents.subjects.size();
+    for (const ReportSubject& subject : report.contents.subjects)
+        table.header.push_back(subject.name);
+    for (std::size_t i = 0; i < report.contents.curves.size(); ++i) {
+        const StudyCurve& curve = report.contents.curves[i];
+        if (i % generators == 0) table.rows.push_back({curve.integrand->name});
+        table.rows.back().push_back(
+            fmt::format("{} ({})", slopeText(curve.powersOfTwo), slopeText(curve.allCounts)));
+    }
+    report.page.table(table);
+}
+
+void addErrorTable(ReportWriter& report) {
+    const std::vector<uint32_t>& counts = report.contents.plan.counts;
+    HtmlTable table{"RMSE at some numbers of points N.", {"integrand", "generator"}, {}};
+    std::vector<std::size_t> columns;
+    for (std::size_t c = 0; c < counts.size(); ++c) {
+        const auto root = static_cast<uint32_t>(std::lround(std::sqrt(double(counts[c]))));
+        if (root * root != counts[c] || (root & (root - 1)) != 0) continue;
+        columns.push_back(c);
+        table.header.push_back(fmt::format("N = {}", counts[c]));
+    }
+    const Integrand* shown = nullptr;
+    for (const StudyCurve& curve : report.contents.curves) {
+        const bool isFirst = std::exchange(shown, curve.integrand) != curve.integrand;
+        table.rows.push_back({isFirst ? curve.integrand->name : "", curve.source->name});
+        for (const std::size_t c : columns) {
+            table.rows.back().push_back(errorNumber(curve.errors[c].rmse));
+        }
+    }
+    report.page.table(table);
+}
+
+} // namespace
+
+void addErrors(ReportWriter& report) {
+    report.page.section("Errors of integrals");
+    const Plot plot =
+        studyFigure(report.contents.plan, report.contents.result, report.contents.curves);
+    report.page.figure(
+        {{{"error over number of points, a panel for each integrand", report.draw("error", plot)}},
+         fmt::format("The root of the mean squared error (RMSE) of the mean over N points, "
+                     "over {} patterns, with 95 % confidence bands. Both axes are "
+                     "logarithmic: a straight line is a power of N, and the lowest line "
+                     "is the best.",
+                     report.contents.result.patterns)});
+    addSlopes(report);
+    addErrorTable(report);
+}
+
+} // namespace wellstrat::cli

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// wellstrat study: the error of integrals against the number of points.
+
+#include "commands.h"
+#include "common/command_line/errors.h"
+#include "common/command_line/interrupt.h"
+#include "common/command_line/options.h"
+#include "common/output/output_file.h"
+#include "common/ranks/run_on_ranks.h"
+#include "options.h"
+#include "output.h"
+#include "sources.h"
+#include "state.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+namespace {
+
+std::string listText() {
+    std::string text = "Generators\n";
+    const auto out = std::back_inserter(text);
+    const auto row = [&out](const std::string& name, const std::string& what) {
+        fmt::format_to(out, "  {:<18} {}\n", name, what);
+    };
+    for (const StudySourceKind& kind : studySourceKinds()) row(kind.name, kind.description);
+    row("joint:3+7", "the same with these slots, for as many domains");
+    row("file:PATH", "the points of a file; NumPy arrays may hold many patterns");
+    text += "\nIntegrands, with the dimensions of their domains\n";
+    for (const IntegrandFamily& family : integrandFamilies()) {
+        row(family.name,
+            fmt::format("{}  {}{}", fmt::join(family.domains, "+"), family.formula,
+                        family.hasParameter ? fmt::format("; {} = {}..{}", family.name.back(),
+                                                          family.first, family.last)
+                                            : ""));
+    }
+    text += "\nProducts over domains of their own, at most 5: disk^2, disk*linear, ...\n\nGroups\n";
+    for (const IntegrandGroup& group : integrandGroups()) {
+        row(group.name, fmt::format("{}", fmt::join(group.members, " ")));
+    }
+    return text;
+}
+
+/// The files that a study writes, opened before it begins.
+class StudyFiles {
+public:
+    explicit StudyFiles(const StudyOptions& options) {
+        if (options.output) {
+            json_ = *options.output != "-" &&
+                    requireSuffix("--output", *options.output, {".csv", ".json"}) == ".json";
+            file_ = std::make_unique<OutputFile>(*options.output);
+        }
+        if (options.plot) {
+            picture_ = std::make_unique<Picture>("--plot", *options.plot, options.keepPlotFiles);
+        }
+    }
+
+    void write(const StudyPlan& plan, const StudyResult& result,
+               const std::vector<StudyCurve>& curves) {
+        if (picture_) picture_->draw(studyFigure(plan, result, curves));
+        if (file_) {
+            file_->write((json_ ? studyJson : studyCsv)(plan, result, curves));
+            file_->commit();
+        }
+        if (picture_) picture_->commit();
+    }
+
+private:
+    bool json_ = false;
+    std::unique_ptr<OutputFile> file_;
+    std::unique_ptr<Picture> picture_;
+};
+
+/// The counts of --table that the plan has.
+std::vector<uint32_t> tableColumns(const StudyOptions& options, const StudyPlan& plan) {
+    std::vector<uint32_t> columns;
+    for (const uint32_t n : parseCounts(options.table)) {
+        if (std::binary_search(plan.counts.begin(), plan.counts.end(), n)) columns.push_back(n);
+    }
+    return columns.empty() ? std::vector<uint32_t>{plan.counts.back()} : columns;
+}
+
+StudyResult startOf(const StudyOptions& options, const StudyPlan& plan) {
+    if (options.resume) {
+        if (!options.writesToFile())
+            throw CliError("--resume needs -o FILE, beside which is FILE.state");
+        return loadState(options.statePath(), plan);
+    }
+    if (options.writesToFile() && std::filesystem::exists(options.statePath())) {
+        throw CliError(
+            fmt::format("'{}' is of an unfinished study; go on with --resume, or remove "
+                        "it",
+                        options.statePath()));
+    }
+    return {0, std::vector<ErrorSums>(plan.cells())};
+}
+
+StudyPlan planOf(const StudyOptions& options) {
+    StudyPlan plan{makeStudySources(options.generators), parseIntegrands(options.integrands),
+                   parseCounts(options.counts), options.patterns};
+    checkPlan(plan);
+    if (options.plot && plan.integrands.size() > kMaxPlottedIntegrands) {
+        throw CliError(fmt::format("--plot: at most {} integrands can be drawn, not {}",
+                                   kMaxPlottedIntegrands, plan.integrands.size()));
+    }
+    return plan;
+}
+
+/// Saves the state now and then.
+class Checkpoints {
+public:
+    Checkpoints(const StudyOptions& options, const StudyPlan& plan, const StudyResult& result)
+        : options_(options), plan_(plan), result_(result) {}
+
+    void maybeSave() {
+        if (Clock::now() - last_ >= std::chrono::seconds(options_.saveEvery)) save();
+    }
+    void save() {
+        if (!options_.writesToFile()) return;
+        saveState(options_.statePath(), plan_, result_);
+        last_ = Clock::now();
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    const StudyOptions& options_;
+    const StudyPlan& plan_;
+    const StudyResult& result_;
+    Clock::time_point last_ = Clock::now();
+};
+
+/// What rank 0 does after the run. Returns the exit code.
+int finish(const StudyOptions& options, const StudyPlan& plan, const StudyResult& result,
+           StudyFiles& files) {
+    const bool complete = result.patterns == plan.patterns;
+    if (result.patterns > 0) {
+        const std::vector<StudyCurve> curves =
+            studyCurves(plan, result, static_cast<uint32_t>(options.fitFrom));
+        files.write(plan, result, curves);
+        if (!options.output || *options.output != "-") {
+            printText(studyTable(plan, result, curves, tableColumns(options, plan)));
+        }
+    }
+    if (complete) {
+        if (options.writesToFile()) std::filesystem::remove(options.statePath());
+        return 0;
+    }
+    fmt::print(stderr, "wellstrat: interrupted after {} of {} patterns{}\n", result.patterns,
+               plan.patterns, options.writesToFile() ? "; --resume goes on" : "");
+    return kExitInterrupted;
+}
+
+/// A study with all that it needs. Only rank 0 has files, and what was done before.
+struct Study {
+    StudyPlan plan;
+    StudyResult result;
+    std::unique_ptr<StudyFiles> files;
+};
+
+Study prepare(const StudyOptions& options, bool root) {
+    Study study{planOf(options), {}, nullptr};
+    parseCounts(options.table);
+    study.result.sums.resize(study.plan.cells());
+    if (root) {
+        study.result = startOf(options, study.plan);
+        study.files = std::make_unique<StudyFiles>(options);
+    }
+    return study;
+}
+
+int run(const StudyOptions& options, const Ranks& ranks, Study& study) {
+    Checkpoints checkpoints(options, study.plan, study.result);
+    runStudy(study.plan, ranks, study.result, [&checkpoints] { checkpoints.maybeSave(); });
+    if (!ranks.isRoot()) return 0;
+    if (study.result.patterns < study.plan.patterns) checkpoints.save();
+    return finish(options, study.plan, study.result, *study.files);
+}
+
+int studyOnRanks(const StudyOptions& options) {
+    if (options.list) {
+        printText(listText());
+        return 0;
+    }
+    return runOnRanks([&](const Ranks& ranks) { return prepare(options, ranks.isRoot()); },
+                      [&](const Ranks& ranks, Study& study) { return run(options, ranks, study); });
+}
+
+} // namespace
+
+void addStudy(CLI::App& app, int& exitCode) {
+    CLI::App* const command =
+        app.add_subcommand("study", "Measure the error of integrals against the number of points");
+    const auto options = std::make_shared<StudyOptions>();
+    addStudyOptions(*command, *options);
+    command->callback([options, &exitCode] { exitCode = studyOnRanks(*options); });
+}
+
+} // namespace wellstrat::cli

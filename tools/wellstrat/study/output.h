@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The results of a study as a table, as CSV and JSON, and as a picture.
+
+#pragma once
+
+#include "common/output/picture.h"
+#include "run.h"
+
+#include <string>
+#include <vector>
+
+namespace wellstrat::cli {
+
+/// One generator with one integrand.
+struct StudyCurve {
+    const StudySource* source;
+    const Integrand* integrand;
+    std::vector<ErrorEstimate> errors; ///< for each of the plan's counts
+    SlopeFit allCounts, powersOfTwo;   ///< from the counts from the study's first one to fit on
+};
+
+/// The curves of all integrands, those of one integrand together. `fitFrom` is the first count
+/// that takes part in the fits. `result.patterns` is at least 1.
+std::vector<StudyCurve> studyCurves(const StudyPlan& plan, const StudyResult& result,
+                                    uint32_t fitFrom);
+
+/// A line for each curve and count: generator, integrand, points, patterns, rmse, low, high, bias.
+/// Numbers have all their digits. A band that does not exist is empty.
+std::string studyCsv(const StudyPlan& plan, const StudyResult& result,
+                     const std::vector<StudyCurve>& curves);
+
+/// The same with formulas, integrals and slopes.
+std::string studyJson(const StudyPlan& plan, const StudyResult& result,
+                      const std::vector<StudyCurve>& curves);
+
+/// The RMSE at the counts `columns`, all of the plan, and the slopes, for readers.
+std::string studyTable(const StudyPlan& plan, const StudyResult& result,
+                       const std::vector<StudyCurve>& curves, const std::vector<uint32_t>& columns);
+
+constexpr std::size_t kMaxPlottedIntegrands = 36;
+
+/// A panel for each integrand, at most kMaxPlottedIntegrands, with the RMSE of all generators over
+/// the number of points and their bands.
+Plot studyFigure(const StudyPlan& plan, const StudyResult& result,
+                 const std::vector<StudyCurve>& curves);
+
+} // namespace wellstrat::cli
