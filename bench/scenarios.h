@@ -84,22 +84,22 @@ void drawEach(benchmark::State& state, Caches caches, std::vector<SampleCtx>& co
     });
 }
 
-/// Draws all points of `rng`, a view of `contexts`, in one batch.
+/// Draws all points of `rng`, a view of `contexts`, in one batch: draw(rng, xis).
 template <typename Sample>
 void drawAll(benchmark::State& state, Caches caches, std::vector<SampleCtx>& contexts,
-             Access access, const RixRNG& rng, void (RixRNG::*function)(Sample*) const) {
+             Access access, const RixRNG& rng, void (*draw)(const RixRNG&, Sample*)) {
     std::vector<Sample> xis(contexts.size());
     benchmark::DoNotOptimize(xis.data());
-    runRounds(state, caches, contexts, access, xis.size(), [&] { (rng.*function)(xis.data()); });
+    runRounds(state, caches, contexts, access, xis.size(), [&] { draw(rng, xis.data()); });
 }
 
 // What drawEach and drawAll take.
 constexpr auto kDraw1D = [](const RixRNG& rng, unsigned i) { return rng.DrawSample1D(i); };
 constexpr auto kDraw2D = [](const RixRNG& rng, unsigned i) { return rng.DrawSample2D(i); };
 constexpr auto kDraw3D = [](const RixRNG& rng, unsigned i) { return rng.DrawSample3D(i); };
-constexpr auto kDrawAll1D = static_cast<void (RixRNG::*)(float*) const>(&RixRNG::DrawSamples1D);
-constexpr auto kDrawAll2D = static_cast<void (RixRNG::*)(RtFloat2*) const>(&RixRNG::DrawSamples2D);
-constexpr auto kDrawAll3D = static_cast<void (RixRNG::*)(RtFloat3*) const>(&RixRNG::DrawSamples3D);
+constexpr auto kDrawAll1D = +[](const RixRNG& rng, float* xis) { rng.DrawSamples1D(xis); };
+constexpr auto kDrawAll2D = +[](const RixRNG& rng, RtFloat2* xis) { rng.DrawSamples2D(xis); };
+constexpr auto kDrawAll3D = +[](const RixRNG& rng, RtFloat3* xis) { rng.DrawSamples3D(xis); };
 
 /// Adds run(state, caches) under both names, for each size that state.range(0) is to have.
 template <typename Run>

@@ -18,7 +18,7 @@
 #include "RixRNGInline.h"
 #include "RixRNGProgressive.h"
 #include "wellstrat/array_argument.h"
-#include "wellstrat/few_points.h"
+#include "wellstrat/detail/few_points.h"
 #include "wellstrat/generator.h"
 
 #include <cassert>

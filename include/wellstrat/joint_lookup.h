@@ -28,6 +28,17 @@
 namespace wellstrat {
 inline namespace stream1 {
 
+// In all that follows, `slot` is in [0, kJointSlots) and `split`, the product of all splits above
+// the slot, in [1, kMaxJointSplit]; others are undefined.
+
+/// The samples of a slot are stratified below this sampleid, that of the last visit of which all
+/// branches are, and random from there on.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t jointStratifiedSamples(unsigned split) {
+    return split == 1 ? kStratifiedSamples : kStratifiedSamples - kStratifiedSamples % split;
+}
+
+namespace detail {
+
 /// The places U_d i and P U_d i of an index by its low byte and what is above, for all slots d:
 /// low[d][i % 256] ^ high[d][i / 256]. Bits 0 to 7 of a place, a number of 12 bits, are in opposite
 /// order, as in the tables; the place by P U_d stands 16 bits higher.
@@ -36,12 +47,7 @@ struct JointOrders {
     uint32_t high[kJointSlots][kTableSize / 256];
 };
 
-namespace detail {
 extern WELLSTRAT_API const JointOrders kJointOrders;
-} // namespace detail
-
-// In all that follows, `slot` is in [0, kJointSlots) and `split`, the product of all splits above
-// the slot, in [1, kMaxJointSplit]; others are undefined.
 
 /// The bit of a pattern's seed that decides whether its order is U_d or P U_d.
 constexpr uint32_t kJointSwapBit = 16;
@@ -56,17 +62,11 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t withReversedByte(uint32_t place) {
 inline uint32_t jointPlace(uint32_t seed, unsigned slot, uint32_t index) {
     static_assert(kJointSwapBit == 16, "how much higher the second place stands");
     const uint32_t both =
-        detail::kJointOrders.low[slot][index % 256] ^ detail::kJointOrders.high[slot][index / 256];
+        kJointOrders.low[slot][index % 256] ^ kJointOrders.high[slot][index / 256];
     return (both >> (seed & kJointSwapBit)) & (kTableSize - 1);
 }
 
-/// The samples of a slot are stratified below this sampleid, that of the last visit of which all
-/// branches are, and random from there on.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t jointStratifiedSamples(unsigned split) {
-    return split == 1 ? kStratifiedSamples : kStratifiedSamples - kStratifiedSamples % split;
-}
-
-/// Whether a sample is beyond these. Most are far below, which needs no division.
+/// Whether a sample is random. Most are far from it, which needs no division.
 WELLSTRAT_HOST_DEVICE constexpr bool isJointRandom(uint32_t sampleid, unsigned split) {
     return WELLSTRAT_UNLIKELY(sampleid > kStratifiedSamples - kMaxJointSplit) &&
            sampleid >= jointStratifiedSamples(split);
@@ -90,9 +90,9 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t jointBranch(uint32_t seed, uint32_t vis
     const unsigned evenLog2 = trailingZeros(split);
     const uint32_t odd = split >> evenLog2, run = branch >> evenLog2;
     const uint32_t lowBits = (1u << evenLog2) - 1;
-    const uint32_t hash = mixBits(seed + visit * detail::kGolden);
+    const uint32_t hash = wellstrat::mixBits(seed + visit * kGolden);
     const uint32_t newRun = odd == 1 ? 0 : ((run << (hash & 7u)) + scaleToRange(hash, odd)) % odd;
-    const uint32_t shuffled = shuffledPlace(hash + run * detail::kGolden, branch & lowBits);
+    const uint32_t shuffled = shuffledPlace(hash + run * kGolden, branch & lowBits);
     return (newRun << evenLog2) + (reverseByte(shuffled) & lowBits);
 }
 
@@ -127,8 +127,6 @@ inline uint32_t jointOffset(uint32_t seed, uint32_t sampleid, unsigned slot, uns
     const uint32_t index = jointIndex(seed, sampleid, slot, split);
     return jointOffsetOf(seed, index / kTableSize, withReversedByte(index % kTableSize));
 }
-
-namespace detail {
 
 // Samples of split slots, and those beyond the first 4096 of a pattern.
 
@@ -178,7 +176,7 @@ inline float jointSample1D(const uint32_t* words, uint32_t patternid, uint32_t s
         return detail::otherJointSample1D(words, patternid, sampleid, slot, split);
     }
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleZ(words, seed, jointOffset(seed, sampleid, slot));
+    return tableSampleZ(words, seed, detail::jointOffset(seed, sampleid, slot));
 }
 inline Float2 jointSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
@@ -186,7 +184,7 @@ inline Float2 jointSample2D(const uint32_t* words, uint32_t patternid, uint32_t 
         return detail::otherJointSample2D(words, patternid, sampleid, slot, split);
     }
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleXY(words, seed, jointOffset(seed, sampleid, slot));
+    return tableSampleXY(words, seed, detail::jointOffset(seed, sampleid, slot));
 }
 inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
@@ -194,7 +192,7 @@ inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t 
         return detail::otherJointSample3D(words, patternid, sampleid, slot, split);
     }
     const uint32_t seed = patternSeed(patternid);
-    const uint32_t offset = jointOffset(seed, sampleid, slot);
+    const uint32_t offset = detail::jointOffset(seed, sampleid, slot);
     const Float2 xy = tableSampleXY(words, seed, offset);
     return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
 }

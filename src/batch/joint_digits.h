@@ -21,6 +21,9 @@ struct JointDigits {
 
 extern const JointDigits kJointDigits[kJointSlots];
 
+/// The bit of a pattern's seed that chooses the swapped one.
+using detail::kJointSwapBit;
+
 } // namespace batch
 } // namespace stream1
 } // namespace wellstrat

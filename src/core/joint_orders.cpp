@@ -4,6 +4,7 @@
 
 namespace wellstrat {
 inline namespace stream1 {
+namespace detail {
 namespace {
 
 constexpr JointOrders makeOrders() {
@@ -19,9 +20,8 @@ constexpr JointOrders makeOrders() {
 
 } // namespace
 
-namespace detail {
 constexpr JointOrders kJointOrders = makeOrders();
-} // namespace detail
 
+} // namespace detail
 } // namespace stream1
 } // namespace wellstrat

@@ -10,6 +10,7 @@
 
 namespace wellstrat {
 inline namespace stream1 {
+namespace detail {
 
 /// U_d and, 16 bits higher, P U_d times the index in [0, kTableSize), column by column, the low
 /// byte of each in opposite order.
@@ -21,5 +22,6 @@ constexpr uint32_t bothJointPlaces(unsigned slot, uint32_t index) {
     return withReversedByte(place) | withReversedByte(pascalTimes(place)) << 16;
 }
 
+} // namespace detail
 } // namespace stream1
 } // namespace wellstrat

@@ -2,7 +2,7 @@
 
 #include "wellstrat/generator.h"
 
-#include "wellstrat/few_points.h"
+#include "wellstrat/detail/few_points.h"
 
 namespace wellstrat {
 inline namespace stream1 {

@@ -3,7 +3,7 @@
 #include "wellstrat/joint.h"
 
 #include "core/order_check.h"
-#include "wellstrat/few_points.h"
+#include "wellstrat/detail/few_points.h"
 
 namespace wellstrat {
 inline namespace stream1 {
