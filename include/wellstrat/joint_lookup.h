@@ -106,25 +106,23 @@ inline uint32_t jointOffset(uint32_t seed, uint32_t sampleid, unsigned slot, uns
 /// Sample `sampleid` of pattern `patternid`, drawn from a slot under splits by `split` in all, from
 /// the tables at `words`: z, (x, y) and (x, y, z) of its point in [0, 1). Any two integers are
 /// valid. Safe in any thread.
-inline float jointSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
+inline float jointSample1D(const uint64_t* words, uint32_t patternid, uint32_t sampleid,
                            unsigned slot, unsigned split) {
     if (sampleid >= jointStratifiedSamples(split)) return randomSample1D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleZ(words, seed, jointOffset(seed, sampleid, slot, split));
 }
-inline Float2 jointSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
+inline Float2 jointSample2D(const uint64_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
     if (sampleid >= jointStratifiedSamples(split)) return randomSample2D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXY(words, seed, jointOffset(seed, sampleid, slot, split));
 }
-inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
+inline Float3 jointSample3D(const uint64_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
     if (sampleid >= jointStratifiedSamples(split)) return randomSample3D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
-    const uint32_t offset = jointOffset(seed, sampleid, slot, split);
-    const Float2 xy = tableSampleXY(words, seed, offset);
-    return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
+    return tableSampleXYZ(words, seed, jointOffset(seed, sampleid, slot, split));
 }
 
 } // namespace stream1
