@@ -21,6 +21,7 @@
 
 #include "hwy/highway.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
@@ -452,23 +453,19 @@ HWY_INLINE void store(V patternid, V sampleid, SampleCtx* contexts) {
     hn::StoreInterleaved2(patternid, sampleid, kWords, reinterpret_cast<uint32_t*>(contexts));
 }
 
-/// Calls function(contexts, results) once, if n > 0, with copies that fill a vector; n < kLanes.
-template <typename Context, typename Result, typename Function>
-HWY_INLINE void withCopies(std::size_t n, Context* contexts, Result* results, Function function) {
-    if (n == 0) return;
-    SampleCtx someContexts[kLanes] = {};
-    Result someResults[kLanes];
-    for (std::size_t k = 0; k < n; ++k) someContexts[k] = contexts[k];
-    function(someContexts, someResults);
-    for (std::size_t k = 0; k < n; ++k) results[k] = someResults[k];
-}
-
-/// Calls function(contexts, results) for each vector of them.
+/// Calls function(contexts, results) for each whole vector of them, and once for the rest, with
+/// copies that fill a vector.
 template <typename Context, typename Result, typename Function>
 HWY_INLINE void forVectors(std::size_t n, Context* contexts, Result* results, Function function) {
     std::size_t i = 0;
     for (; i + kLanes <= n; i += kLanes) function(contexts + i, results + i);
-    withCopies(n - i, contexts + i, results + i, function);
+    if (i == n) return;
+    SampleCtx someContexts[kLanes] = {};
+    Result someResults[kLanes];
+    const std::size_t rest = n - i;
+    for (std::size_t k = 0; k < rest; ++k) someContexts[k] = contexts[i + k];
+    function(someContexts, someResults);
+    for (std::size_t k = 0; k < rest; ++k) results[i + k] = someResults[k];
 }
 
 /// Puts random samples in the place of those of one vector from sample `end` on.
@@ -510,17 +507,19 @@ HWY_INLINE void drawBlock(std::size_t vectors, const uint64_t* words, const Samp
 template <typename Order, typename Sample>
 HWY_INLINE void drawInOrder(std::size_t n, const uint64_t* words, const SampleCtx* contexts,
                             Order order, Sample* xis) {
-    constexpr std::size_t block = kBlockVectors * kLanes;
-    std::size_t i = 0;
-    for (; i + block <= n; i += block) {
-        drawBlock(kBlockVectors, words, contexts + i, order, xis + i);
+    SampleCtx copies[kLanes];
+    Sample drawn[kLanes];
+    for (std::size_t i = 0; i < n;) {
+        const std::size_t whole = std::min((n - i) / kLanes, kBlockVectors);
+        // The rest, which fills no vector, is copied. One call, since all of this is inlined.
+        const bool isRest = whole == 0;
+        if (isRest)
+            std::fill(std::copy(contexts + i, contexts + n, copies), copies + kLanes, SampleCtx{});
+        drawBlock(isRest ? 1 : whole, words, isRest ? copies : contexts + i, order,
+                  isRest ? drawn : xis + i);
+        if (isRest) std::copy_n(drawn, n - i, xis + i);
+        i += isRest ? n - i : whole * kLanes;
     }
-    const std::size_t wholeVectors = (n - i) / kLanes;
-    drawBlock(wholeVectors, words, contexts + i, order, xis + i);
-    i += wholeVectors * kLanes;
-    withCopies(n - i, contexts + i, xis + i, [&](const SampleCtx* sc, Sample* results) {
-        drawBlock(1, words, sc, order, results);
-    });
 }
 
 template <typename Sample>
