@@ -5,6 +5,7 @@
 #pragma once
 
 #include "wellstrat/platform.h"
+#include "wellstrat/vector.h"
 
 #include <cstdint>
 
@@ -77,6 +78,48 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t scaleToRange(uint32_t x, uint32_t n) {
 ///     (v >> 8) * 2^-24         24 bits, all exact, every value from 256 words   <- this
 WELLSTRAT_HOST_DEVICE constexpr float toUnitFloat(uint32_t v) {
     return static_cast<float>(v >> 8) * 0x1p-24f;
+}
+
+namespace detail {
+
+#if WELLSTRAT_VECTOR_TYPES
+
+/// Vector registers convert two words with half of the instructions, and do not wait for the
+/// integer units.
+typedef uint32_t Words __attribute__((vector_size(16)));
+typedef uint64_t WordPairs __attribute__((vector_size(16)));
+typedef int32_t Integers __attribute__((vector_size(16)));
+typedef float Floats __attribute__((vector_size(16)));
+
+inline Floats toUnitFloats(Words v) {
+    return __builtin_convertvector(reinterpret_cast<Integers>(v >> 8), Floats) * 0x1p-24f;
+}
+
+/// toUnitFloat of the first word, where it is in such a register already.
+inline float toUnitFloat(Words v) { return toUnitFloats(v)[0]; }
+
+#else
+
+typedef uint32_t Words;
+using stream1::toUnitFloat;
+
+#endif
+
+} // namespace detail
+
+/// toUnitFloat of both halves of word ^ shift, the lower half first.
+WELLSTRAT_HOST_DEVICE inline Float2 toUnitFloats(uint64_t word, uint64_t shift) {
+#if WELLSTRAT_VECTOR_TYPES
+    const auto shifted = detail::WordPairs{word} ^ detail::WordPairs{shift};
+    const detail::Floats floats = detail::toUnitFloats(reinterpret_cast<detail::Words>(shifted));
+    Float2 result;
+    __builtin_memcpy(&result, &floats, sizeof result);
+    return result;
+#else
+    word ^= shift;
+    return {toUnitFloat(static_cast<uint32_t>(word)),
+            toUnitFloat(static_cast<uint32_t>(word >> 32))};
+#endif
 }
 
 } // namespace stream1

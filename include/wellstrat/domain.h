@@ -27,11 +27,38 @@ constexpr uint32_t kDistribKey = 0x64697374u;
 /// catches a sample count or an index in its place.
 enum class Scramble : unsigned int {};
 
+/// The words that `derivePattern` needs of a scramble, two hashes of it, which compilers know when
+/// they know the scramble. The multiplier is odd.
+struct DerivationKey {
+    uint32_t mask, multiplier;
+};
+
+WELLSTRAT_HOST_DEVICE constexpr DerivationKey derivationKey(Scramble scramble) {
+    const uint32_t mask = mixBits(static_cast<uint32_t>(scramble) + detail::kGolden);
+    return {mask, (mixBits(mask + detail::kGolden) & ~7u) | 5u};
+}
+
+WELLSTRAT_HOST_DEVICE constexpr uint32_t derivePattern(uint32_t patternid, DerivationKey key) {
+    return (patternid ^ key.mask) * key.multiplier;
+}
+
 /// The pattern of the domain `scramble` under `patternid`. For a fixed scramble a bijection of the
-/// pattern, so that patterns that differ stay different along any path of domains; full avalanche
-/// in both arguments.
+/// pattern, so that patterns that differ stay different along any path of domains, and two domains
+/// share no more patterns than random sets do. It mixes little; the hash of the draw does that
+/// (patternSeed in lookup.h, and random.h). Multiplying after an exclusive-or makes it matter in
+/// which order scrambles come (docs/decisions/0013-cheaper-draws.md).
 WELLSTRAT_HOST_DEVICE constexpr unsigned derivePattern(unsigned patternid, Scramble scramble) {
-    return permuteBits(patternid, permutationKey(static_cast<unsigned>(scramble)));
+    return derivePattern(patternid, derivationKey(scramble));
+}
+
+/// The pattern of which derivePattern(., scramble) is `patternid`. For tests and tools.
+WELLSTRAT_HOST_DEVICE constexpr unsigned parentPattern(unsigned patternid, Scramble scramble) {
+    const DerivationKey key = derivationKey(scramble);
+    // Newton's iteration for the inverse modulo 2^32: an odd number is its own in 3 bits, and each
+    // step doubles them.
+    uint32_t inverse = key.multiplier;
+    for (int bits = 3; bits < 32; bits *= 2) inverse *= 2u - key.multiplier * inverse;
+    return (patternid * inverse) ^ key.mask;
 }
 
 /// Names one sample. 8 bytes; copy it freely. The functions return new contexts and leave this one

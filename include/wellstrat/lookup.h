@@ -69,27 +69,36 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t sampleOffset(uint32_t seed, uint32_t sa
     return groupStart * kTableCount + table * kGroupSize + shuffledPlace(seed, sampleid);
 }
 
-/// What is XORed to a coordinate of all samples of a pattern. The multipliers are fractional parts
-/// of square roots of primes, made odd: numbers that nobody has chosen.
+/// What is XORed to x (lower half) and y of all points of a pattern. The multipliers here are
+/// fractional parts of square roots of primes: numbers that nobody has chosen.
+WELLSTRAT_HOST_DEVICE constexpr uint64_t shiftXY(uint32_t seed) {
+    return seed * 0xbb67ae8584caa73bu; // sqrt(3)
+}
+
+/// The same for one coordinate.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t digitalShift(uint32_t seed, Coordinate coordinate) {
     switch (coordinate) {
-    case Coordinate::x: return seed * 0x6a09e667u; // sqrt(2)
-    case Coordinate::y: return seed * 0xbb67ae85u; // sqrt(3)
-    default: return seed * 0x3c6ef373u;            // sqrt(5)
+    case Coordinate::x: return static_cast<uint32_t>(shiftXY(seed));
+    case Coordinate::y: return static_cast<uint32_t>(shiftXY(seed) >> 32);
+    default: return seed * 0x3c6ef373u; // sqrt(5)
     }
 }
 
-/// (x, y) and z of the point at `offset` as a pattern sees it.
-WELLSTRAT_HOST_DEVICE inline Float2 tableSampleXY(const uint32_t* words, uint32_t seed,
-                                                  uint32_t offset) {
-    const uint32_t word = words[offset];
-    const uint32_t leaf = leafBits(word, offset);
-    return {toUnitFloat(tableX(word, leaf) ^ digitalShift(seed, Coordinate::x)),
-            toUnitFloat(tableY(word, leaf) ^ digitalShift(seed, Coordinate::y))};
-}
-WELLSTRAT_HOST_DEVICE inline float tableSampleZ(const uint32_t* words, uint32_t seed,
+/// z, (x, y) and (x, y, z) of the point at `offset` as a pattern sees it.
+WELLSTRAT_HOST_DEVICE inline float tableSampleZ(const uint64_t* words, uint32_t seed,
                                                 uint32_t offset) {
-    return toUnitFloat(words[kTablePoints + offset] ^ digitalShift(seed, Coordinate::z));
+    const detail::Words xWord{static_cast<uint32_t>(words[offset])};
+    const detail::Words shift{digitalShift(seed, Coordinate::z)};
+    return detail::toUnitFloat(tableZ(xWord) ^ shift);
+}
+WELLSTRAT_HOST_DEVICE inline Float2 tableSampleXY(const uint64_t* words, uint32_t seed,
+                                                  uint32_t offset) {
+    return toUnitFloats(words[offset], shiftXY(seed));
+}
+WELLSTRAT_HOST_DEVICE inline Float3 tableSampleXYZ(const uint64_t* words, uint32_t seed,
+                                                   uint32_t offset) {
+    const Float2 xy = tableSampleXY(words, seed, offset);
+    return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
 }
 
 namespace detail {
@@ -101,23 +110,24 @@ WELLSTRAT_HOST_DEVICE constexpr bool isLater(uint32_t sampleid) {
 }
 
 WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline float
-laterSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
+laterSample1D(const uint64_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample1D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleZ(words, seed, sampleOffset(seed, sampleid));
 }
 
 WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float2
-laterSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
+laterSample2D(const uint64_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample2D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXY(words, seed, sampleOffset(seed, sampleid));
 }
 
 WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float3
-laterSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
-    const Float2 xy = laterSample2D(words, patternid, sampleid);
-    return {xy.x, xy.y, laterSample1D(words, patternid, sampleid)};
+laterSample3D(const uint64_t* words, uint32_t patternid, uint32_t sampleid) {
+    if (sampleid >= kStratifiedSamples) return randomSample3D(patternid, sampleid);
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleXYZ(words, seed, sampleOffset(seed, sampleid));
 }
 
 } // namespace detail
@@ -126,7 +136,7 @@ laterSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
 /// so that a 1D and a 2D draw from one context make one 3D point. The first 4096 samples, which
 /// most patterns never leave, are inlined; what follows from their being in block 0, compilers
 /// find out.
-WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline float sample1D(const uint64_t* words, uint32_t patternid,
                                             uint32_t sampleid) {
     if (detail::isLater(sampleid)) return detail::laterSample1D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
@@ -134,7 +144,7 @@ WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patt
 }
 
 /// The same for (x, y) of the point.
-WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint64_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
     if (detail::isLater(sampleid)) return detail::laterSample2D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
@@ -142,13 +152,11 @@ WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t pat
 }
 
 /// The same for the whole point.
-WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint32_t* words, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint64_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
     if (detail::isLater(sampleid)) return detail::laterSample3D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
-    const uint32_t offset = sampleOffset(seed, sampleid);
-    const Float2 xy = tableSampleXY(words, seed, offset);
-    return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
+    return tableSampleXYZ(words, seed, sampleOffset(seed, sampleid));
 }
 
 /// The same from the tables of the process, which the first call builds. Safe in any thread.

@@ -33,3 +33,12 @@
 #define WELLSTRAT_NOINLINE
 #define WELLSTRAT_UNLIKELY(condition) (condition)
 #endif
+
+/// Where four words can be held in one register by the vector types that g++ and clang share. A
+/// 64-bit word is two of them, the lower half first.
+#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__) &&                            \
+    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define WELLSTRAT_VECTOR_TYPES 1
+#else
+#define WELLSTRAT_VECTOR_TYPES 0
+#endif

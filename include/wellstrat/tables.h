@@ -3,18 +3,18 @@
 // The tables: 384 sequences of 4096 three-dimensional points each, the first three Sobol'
 // dimensions, each with its own nested uniform scrambling (owen.h).
 //
-// What is stored and what is not. The first 12 binary digits of a coordinate decide everything
-// about the stratification of 4096 points. The scrambling of the digits after them is one
-// independent random bit for each point, since no two points share 12 digits of a coordinate; such
-// bits need no memory. So 12 digits come from the scrambled sequence, and the digits after them, to
-// the 24 of a float, are a hash of the point's place, taken when the point is read for x and y, and
-// when the table is built for z:
+// A point is one word of 64 bits, so that one load gives all of it: the x word, of 32 bits, in the
+// lower half, and the y word in the upper half. The first 12 binary digits of a coordinate decide
+// everything about the stratification of 4096 points. The scrambling of the digits after them is
+// one independent random bit for each point, since no two points share 12 digits of a coordinate.
+// These digits are a hash of the point's place, those for which there is room; the last digits of x
+// and z are others that happen to lie there:
 //
-//     bit      31 ......... 20 19 .......... 8 7 .. 0
-//     xy word  x, 12 digits    y, 12 digits     zero     one load gives a 2D point
-//     x        x, 12 digits    y's digits ^ hash         word ^ leaf
-//     y        y, 12 digits    hash                      (word << 12) ^ leaf
-//     z word   z, 12 digits    hash             zero     the value itself
+//     bit      31 ............. 20 19 ........... 12 11 ........................ 0
+//     x word   x1 to x12           hash h1 to h8     x ^ z, digits 1 to 12
+//     x        x1 to x12           h1 to h8          its first four digits          xWord
+//     z        z1 to z12           (x1 to x8) ^ h    its others, ^ (x9 to x12)...   xWord ^ rotated
+//     y word   y1 to y12           hash              hash
 //
 // Order in memory: the same 256 samples of all tables lie side by side, since a renderer draws
 // about the same sampleid from all tables at a time; within such a group the sample with the
@@ -44,56 +44,46 @@ constexpr unsigned kGroupSize = 256;
 /// one; samples beyond are unstratified.
 constexpr unsigned kStratifiedSamples = 48 * kTableSize;
 
-/// The points of all tables. In memory: their xy words, then their z words.
+/// The points of all tables.
 constexpr uint32_t kTablePoints = kTableCount * kTableSize;
 
-/// Where the xy word of sample `index` in [0, kTableSize) of `table` in [0, kTableCount) lies; the
-/// z word lies kTablePoints further on.
+/// Where sample `index` in [0, kTableSize) of `table` in [0, kTableCount) lies.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOffset(uint32_t table, uint32_t index) {
     return ((index / kGroupSize) * kTableCount + table) * kGroupSize + reverseByte(index);
 }
 
-/// Random bits for digits 13 to 24 of the point at `offset` with this xy word, where these digits
-/// are in a value: bits 19..8. The bits below mean nothing.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t leafBits(uint32_t xyWord, uint32_t offset) {
-    return (xyWord * (2 * offset + 1)) >> 12;
-}
-
-/// The values of x and y as fractions of 2^32, from the xy word of a point and its leaf bits. In x
-/// the leaf bits lie over the stored digits of y, so that the low digits of x and y differ. Bits
-/// below the 24th digit mean nothing.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t tableX(uint32_t xyWord, uint32_t leaf) {
-    return xyWord ^ leaf;
-}
-WELLSTRAT_HOST_DEVICE constexpr uint32_t tableY(uint32_t xyWord, uint32_t leaf) {
-    return (xyWord << 12) ^ leaf;
+/// z of a point as a fraction of 2^32, from its x word, one of them or a vector. Bits below the
+/// 24th digit mean nothing, as in the words themselves.
+template <typename Word>
+WELLSTRAT_HOST_DEVICE constexpr Word tableZ(Word xWord) {
+    return xWord ^ (xWord << 20 | xWord >> 12);
 }
 
 namespace detail {
 
 /// Null until the tables are built. `tables()` is how to read it.
-extern WELLSTRAT_API std::atomic<const uint32_t*> tableWords;
+extern WELLSTRAT_API std::atomic<const uint64_t*> tableWords;
 
 /// The same, to be read by threads that have seen the tables built.
-extern WELLSTRAT_API const uint32_t* builtTables;
+extern WELLSTRAT_API const uint64_t* builtTables;
 
 } // namespace detail
 
 /// Builds the tables if that has not been done, which takes some milliseconds, and returns them.
 /// Call it at start-up to keep that time out of the first use. Any number of threads may call at
 /// once; all return when the tables are ready. Throws std::bad_alloc without memory (12 MiB).
-WELLSTRAT_API const uint32_t* buildTables();
+WELLSTRAT_API const uint64_t* buildTables();
 
-/// The 2 * kTablePoints words of the tables, which the first call builds. Read-only, and valid
-/// until the program ends. Safe in any thread.
-inline const uint32_t* tables() {
-    const uint32_t* words = detail::tableWords.load(std::memory_order_acquire);
+/// The kTablePoints words of the tables, which the first call builds. Read-only, and valid until
+/// the program ends. Safe in any thread.
+inline const uint64_t* tables() {
+    const uint64_t* words = detail::tableWords.load(std::memory_order_acquire);
     return words != nullptr ? words : buildTables();
 }
 
 /// The same for threads that have called it or `buildTables()` before: without a check, and so that
 /// compilers may keep it in a register over a loop of draws.
-inline const uint32_t* builtTables() { return detail::builtTables; }
+inline const uint64_t* builtTables() { return detail::builtTables; }
 
 /// One coordinate of sample `index` in [0, kTableSize) of `table` in [0, kTableCount), as a
 /// fraction of 2^32 and a multiple of 2^-24. Out of range is undefined.

@@ -21,6 +21,7 @@
 
 #include "hwy/highway.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
@@ -36,11 +37,19 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Words = hn::ScalableTag<uint32_t>;
 using Bytes = hn::Repartition<uint8_t, Words>;
 using Floats = hn::RebindToFloat<Words>;
+using Points = hn::Repartition<uint64_t, Words>;
 using V = hn::Vec<Words>;
 using F = hn::Vec<Floats>;
+using P = hn::Vec<Points>;
 
 constexpr Words kWords;
 constexpr Floats kFloats;
+constexpr Points kPoints;
+
+constexpr std::size_t kLanes = hn::MaxLanes(kWords);
+
+/// How many vectors of samples are drawn at a time.
+constexpr std::size_t kBlockVectors = 8;
 
 HWY_INLINE V constant(uint32_t value) { return hn::Set(kWords, value); }
 
@@ -70,6 +79,10 @@ HWY_INLINE V permuteBitsByKey(V x, V key) {
 
 HWY_INLINE V hashPair(V a, V b) { return mixBits(hn::Add(permuteBitsByKey(b, a), b)); }
 
+HWY_INLINE V derivePattern(V patternid, DerivationKey key) {
+    return hn::Mul(hn::Xor(patternid, constant(key.mask)), constant(key.multiplier));
+}
+
 HWY_INLINE V reverseLowByte(V x) {
     alignas(16) static constexpr uint8_t kReversed[16] = {0, 8, 4, 12, 2, 10, 6, 14,
                                                           1, 9, 5, 13, 3, 11, 7, 15};
@@ -88,42 +101,39 @@ HWY_INLINE V patternSeed(V patternid) {
     return mixBits(hn::Add(patternid, constant(detail::kGolden)));
 }
 
-HWY_INLINE V shuffledPlace(V seed, V sampleid) {
-    V r = hn::Or(reverseLowByte(sampleid), hn::And(sampleid, constant(~(kGroupSize - 1))));
-    r = hn::Add(r, seed);
-    r = hn::Mul(r, hn::Add(hn::Add(seed, seed), constant(1)));
+/// What the shuffle begins with: the low byte of the sampleid in opposite order, and its group.
+HWY_INLINE V shuffleStart(V sampleid) {
+    return hn::Or(reverseLowByte(sampleid), hn::And(sampleid, constant(~(kGroupSize - 1))));
+}
+
+HWY_INLINE V shuffledPlaceFrom(V start, V seed) {
+    V r = hn::Mul(hn::Add(start, seed), hn::Add(hn::Add(seed, seed), constant(1)));
     r = hn::Xor(r, hn::Mul(r, constant(0x3d20adeau)));
     r = hn::Xor(r, hn::Mul(r, constant(0x05526c56u)));
     return hn::ShiftRight<24>(r);
+}
+
+HWY_INLINE V shuffledPlace(V seed, V sampleid) {
+    return shuffledPlaceFrom(shuffleStart(sampleid), seed);
 }
 
 HWY_INLINE V scaleToRange(V x, uint32_t n) {
     return hn::ShiftRight<23>(hn::Mul(hn::ShiftRight<9>(x), constant(n)));
 }
 
-HWY_INLINE V tableOfBlock(V seed, V block) {
-    return scaleToRange(hn::Add(seed, hn::Mul(block, constant(kBlockStep))), kTableCount);
+/// What tableOfBlock adds to the seed.
+HWY_INLINE V blockStep(V sampleid) {
+    return hn::Mul(hn::ShiftRight<kTableSizeLog2>(sampleid), constant(kBlockStep));
 }
 
-/// Where `place` in the group that starts at `groupStart` lies, in the table of this sampleid.
-HWY_INLINE V offsetOf(V seed, V sampleid, V groupStart, V place) {
-    const V table = tableOfBlock(seed, hn::ShiftRight<kTableSizeLog2>(sampleid));
-    const V row = hn::Add(hn::Mul(groupStart, constant(kTableCount)), hn::ShiftLeft<8>(table));
-    return hn::Add(row, place);
+/// Where the first place of a group lies in a table that is chosen by this word.
+HWY_INLINE V offsetOf(V tableWord, V groupStart) {
+    return hn::Add(hn::Mul(groupStart, constant(kTableCount)),
+                   hn::ShiftLeft<8>(scaleToRange(tableWord, kTableCount)));
 }
 
 HWY_INLINE V groupStartOf(V sampleid) {
     return hn::And(sampleid, constant(kTableSize - kGroupSize));
-}
-
-HWY_INLINE V gather(const uint32_t* words, V offset) {
-    const hn::RebindToSigned<Words> indices;
-    return hn::GatherIndex(kWords, words, hn::BitCast(indices, offset));
-}
-
-HWY_INLINE V leafBits(V xyWord, V offset) {
-    const V odd = hn::Add(hn::Add(offset, offset), constant(1));
-    return hn::ShiftRight<12>(hn::Mul(xyWord, odd));
 }
 
 HWY_INLINE F toUnitFloat(V v) {
@@ -132,23 +142,46 @@ HWY_INLINE F toUnitFloat(V v) {
     return hn::Mul(hn::ConvertTo(kFloats, integer), hn::Set(kFloats, 0x1p-24f));
 }
 
-HWY_INLINE V shifted(V value, V seed, Coordinate coordinate) {
-    return hn::Xor(value, hn::Mul(seed, constant(digitalShift(1, coordinate))));
+/// The lower and the upper half of a vector of words, each word in 64 bits.
+HWY_INLINE P lowerHalf(V x) { return hn::PromoteTo(kPoints, hn::LowerHalf(x)); }
+HWY_INLINE P upperHalf(V x) { return hn::PromoteTo(kPoints, hn::UpperHalf(hn::Half<Words>(), x)); }
+
+HWY_INLINE P shiftXY(P seed) {
+    constexpr uint64_t kMultiplier = stream1::shiftXY(1);
+    static_assert(stream1::shiftXY(3) == 3 * kMultiplier, "the seed times a constant");
+    const V words = hn::BitCast(kWords, seed);
+    const P lower = hn::MulEven(words, constant(static_cast<uint32_t>(kMultiplier)));
+    const P upper = hn::MulEven(words, constant(static_cast<uint32_t>(kMultiplier >> 32)));
+    return hn::Add(lower, hn::ShiftLeft<32>(upper));
 }
 
-static_assert(digitalShift(1, Coordinate::x) * 3u == digitalShift(3, Coordinate::x),
-              "a digital shift is the seed times a constant");
+HWY_INLINE V tableZ(V xWord) { return hn::Xor(xWord, hn::RotateRight<12>(xWord)); }
 
 // The orders of samples. offset(seed, sampleid) is where the points of samples below `end` lie. For
 // others it means nothing, but is always inside the tables.
 
-/// sampleOffset.
-struct ShuffledOrder {
+/// sampleOffset. What it needs of the sampleids is kept from vector to vector, since those of a
+/// coherent batch are all the same.
+class ShuffledOrder {
+public:
     static constexpr uint32_t end = kStratifiedSamples;
 
-    HWY_INLINE V offset(V seed, V sampleid) const {
-        return offsetOf(seed, sampleid, groupStartOf(sampleid), shuffledPlace(seed, sampleid));
+    HWY_INLINE ShuffledOrder()
+        : sampleid_(hn::Zero(kWords)), start_(sampleid_), row_(sampleid_), blockStep_(sampleid_) {}
+
+    HWY_INLINE V offset(V seed, V sampleid) {
+        if (!hn::AllTrue(kWords, hn::Eq(sampleid, sampleid_))) {
+            sampleid_ = sampleid;
+            start_ = shuffleStart(sampleid);
+            row_ = hn::Mul(groupStartOf(sampleid), constant(kTableCount));
+            blockStep_ = blockStep(sampleid);
+        }
+        const V table = scaleToRange(hn::Add(seed, blockStep_), kTableCount);
+        return hn::Add(hn::Add(row_, hn::ShiftLeft<8>(table)), shuffledPlaceFrom(start_, seed));
     }
+
+private:
+    V sampleid_, start_, row_, blockStep_;
 };
 
 /// Both orders of an index at once, as JointDigits has them. In vectors of 8 or more words.
@@ -248,7 +281,7 @@ private:
 
 HWY_INLINE V jointOffsetOf(V seed, V sampleid, V groupStart, V place) {
     const V shifted = hn::And(hn::Xor(place, seed), constant(kGroupSize - 1));
-    return offsetOf(seed, sampleid, groupStart, shifted);
+    return hn::Add(offsetOf(hn::Add(seed, blockStep(sampleid)), groupStart), shifted);
 }
 
 /// jointOffset without splits.
@@ -335,54 +368,81 @@ private:
     int evenPartLog2_;
 };
 
-/// `stratified`, or in the lanes from sample `end` on the random bits instead.
-HWY_INLINE V orRandom(V stratified, uint32_t end, V patternid, V sampleid, Coordinate coordinate) {
-    const auto beyond = hn::Gt(sampleid, constant(end - 1));
-    if (HWY_LIKELY(hn::AllFalse(kWords, beyond))) return stratified;
+/// Random samples, as random.h has them.
+HWY_INLINE F randomSample(V patternid, V sampleid, Coordinate coordinate) {
     if (coordinate != Coordinate::z) patternid = permuteBits(patternid, randomKey(coordinate));
-    return hn::IfThenElse(beyond, hashPair(patternid, sampleid), stratified);
+    return toUnitFloat(hashPair(patternid, sampleid));
 }
 
-/// One vector of samples.
-template <typename Order>
+HWY_INLINE void storeRandom(V patternid, V sampleid, float* xis) {
+    hn::StoreU(randomSample(patternid, sampleid, Coordinate::z), kFloats, xis);
+}
+HWY_INLINE void storeRandom(V patternid, V sampleid, Float2* xis) {
+    hn::StoreInterleaved2(randomSample(patternid, sampleid, Coordinate::x),
+                          randomSample(patternid, sampleid, Coordinate::y), kFloats,
+                          reinterpret_cast<float*>(xis));
+}
+HWY_INLINE void storeRandom(V patternid, V sampleid, Float3* xis) {
+    hn::StoreInterleaved3(randomSample(patternid, sampleid, Coordinate::x),
+                          randomSample(patternid, sampleid, Coordinate::y),
+                          randomSample(patternid, sampleid, Coordinate::z), kFloats,
+                          reinterpret_cast<float*>(xis));
+}
+
+/// The points at offsets[0, kLanes / 2), by single loads: gather instructions take longer
+/// (docs/decisions/0013-cheaper-draws.md).
+template <typename D>
+HWY_INLINE hn::Vec<D> pointsAt(D d, const uint64_t* words, const uint32_t* offsets) {
+    constexpr std::size_t count = hn::MaxLanes(D());
+    if constexpr (count == 1) {
+        return hn::LoadU(d, words + *offsets);
+    } else {
+        const hn::Half<D> half;
+        const auto lower = pointsAt(half, words, offsets);
+        return hn::Combine(d, pointsAt(half, words, offsets + count / 2), lower);
+    }
+}
+
+/// One vector of samples: of the points at `offsets`, for patterns with these seeds.
 class Samples {
 public:
-    HWY_INLINE Samples(const uint32_t* words, Order& order, V patternid, V sampleid)
-        : words_(words), end_(order.end), patternid_(patternid), sampleid_(sampleid),
-          seed_(patternSeed(patternid)), offset_(order.offset(seed_, sampleid)) {}
+    HWY_INLINE Samples(const uint64_t* words, V seed, const uint32_t* offsets)
+        : seed_(seed), lower_(pointsAt(kPoints, words, offsets)),
+          upper_(pointsAt(kPoints, words, offsets + kLanes / 2)) {}
 
     HWY_INLINE void store(float* xis) const { hn::StoreU(z(), kFloats, xis); }
+
+    /// A point has x and y in the order that memory has them in.
     HWY_INLINE void store(Float2* xis) const {
-        F x, y;
-        findXY(x, y);
-        hn::StoreInterleaved2(x, y, kFloats, reinterpret_cast<float*>(xis));
+        const P lower = hn::Xor(lower_, shiftXY(lowerHalf(seed_)));
+        const P upper = hn::Xor(upper_, shiftXY(upperHalf(seed_)));
+        float* floats = reinterpret_cast<float*>(xis);
+        hn::StoreU(toUnitFloat(hn::BitCast(kWords, lower)), kFloats, floats);
+        hn::StoreU(toUnitFloat(hn::BitCast(kWords, upper)), kFloats, floats + kLanes);
     }
+
     HWY_INLINE void store(Float3* xis) const {
-        F x, y;
-        findXY(x, y);
+        const P shiftLower = shiftXY(lowerHalf(seed_)), shiftUpper = shiftXY(upperHalf(seed_));
+        const F x = toUnitFloat(hn::Xor(xWords(lower_, upper_), xWords(shiftLower, shiftUpper)));
+        const F y = toUnitFloat(hn::Xor(yWords(lower_, upper_), yWords(shiftLower, shiftUpper)));
         hn::StoreInterleaved3(x, y, z(), kFloats, reinterpret_cast<float*>(xis));
     }
 
 private:
-    HWY_INLINE void findXY(F& x, F& y) const {
-        const V word = gather(words_, offset_);
-        const V leaf = leafBits(word, offset_);
-        x = toFloat(hn::Xor(word, leaf), Coordinate::x);
-        y = toFloat(hn::Xor(hn::ShiftLeft<12>(word), leaf), Coordinate::y);
+    static HWY_INLINE V xWords(P lower, P upper) {
+        return hn::ConcatEven(kWords, hn::BitCast(kWords, upper), hn::BitCast(kWords, lower));
+    }
+    static HWY_INLINE V yWords(P lower, P upper) {
+        return hn::ConcatOdd(kWords, hn::BitCast(kWords, upper), hn::BitCast(kWords, lower));
     }
 
     HWY_INLINE F z() const {
-        return toFloat(gather(words_ + kTablePoints, offset_), Coordinate::z);
+        const V shift = hn::Mul(seed_, constant(digitalShift(1, Coordinate::z)));
+        return toUnitFloat(hn::Xor(tableZ(xWords(lower_, upper_)), shift));
     }
 
-    HWY_INLINE F toFloat(V tableValue, Coordinate coordinate) const {
-        const V value = shifted(tableValue, seed_, coordinate);
-        return toUnitFloat(orRandom(value, end_, patternid_, sampleid_, coordinate));
-    }
-
-    const uint32_t* words_;
-    uint32_t end_;
-    V patternid_, sampleid_, seed_, offset_;
+    V seed_;
+    P lower_, upper_;
 };
 
 HWY_INLINE void load(const SampleCtx* contexts, V& patternid, V& sampleid) {
@@ -397,31 +457,73 @@ HWY_INLINE void store(V patternid, V sampleid, SampleCtx* contexts) {
 /// copies that fill a vector.
 template <typename Context, typename Result, typename Function>
 HWY_INLINE void forVectors(std::size_t n, Context* contexts, Result* results, Function function) {
-    const std::size_t lanes = hn::Lanes(kWords);
     std::size_t i = 0;
-    for (; i + lanes <= n; i += lanes) function(contexts + i, results + i);
+    for (; i + kLanes <= n; i += kLanes) function(contexts + i, results + i);
     if (i == n) return;
-    SampleCtx someContexts[hn::MaxLanes(kWords)] = {};
-    Result someResults[hn::MaxLanes(kWords)];
+    SampleCtx someContexts[kLanes] = {};
+    Result someResults[kLanes];
     const std::size_t rest = n - i;
     for (std::size_t k = 0; k < rest; ++k) someContexts[k] = contexts[i + k];
     function(someContexts, someResults);
     for (std::size_t k = 0; k < rest; ++k) results[i + k] = someResults[k];
 }
 
+/// Puts random samples in the place of those of one vector from sample `end` on.
+template <typename Sample>
+HWY_INLINE void replaceBeyond(uint32_t end, const SampleCtx* contexts, Sample* xis) {
+    V patternid, sampleid;
+    load(contexts, patternid, sampleid);
+    Sample random[kLanes];
+    storeRandom(patternid, sampleid, random);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        if (contexts[i].sampleid >= end) xis[i] = random[i];
+    }
+}
+
+/// Draws `vectors` vectors of samples, kBlockVectors at most. First all places are found and then
+/// all points loaded, so that no load waits for the arithmetic of its own sample.
 template <typename Order, typename Sample>
-HWY_INLINE void drawInOrder(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
+HWY_INLINE void drawBlock(std::size_t vectors, const uint64_t* words, const SampleCtx* contexts,
+                          Order& order, Sample* xis) {
+    HWY_ALIGN uint32_t seeds[kBlockVectors * kLanes];
+    HWY_ALIGN uint32_t offsets[kBlockVectors * kLanes];
+    const std::size_t n = vectors * kLanes;
+    V largest = hn::Zero(kWords);
+    for (std::size_t i = 0; i < n; i += kLanes) {
+        V patternid, sampleid;
+        load(contexts + i, patternid, sampleid);
+        const V seed = patternSeed(patternid);
+        hn::Store(seed, kWords, seeds + i);
+        hn::Store(order.offset(seed, sampleid), kWords, offsets + i);
+        largest = hn::Max(largest, sampleid);
+    }
+    for (std::size_t i = 0; i < n; i += kLanes) {
+        Samples(words, hn::Load(kWords, seeds + i), offsets + i).store(xis + i);
+    }
+    if (HWY_LIKELY(hn::AllFalse(kWords, hn::Gt(largest, constant(order.end - 1))))) return;
+    for (std::size_t i = 0; i < n; i += kLanes) replaceBeyond(order.end, contexts + i, xis + i);
+}
+
+template <typename Order, typename Sample>
+HWY_INLINE void drawInOrder(std::size_t n, const uint64_t* words, const SampleCtx* contexts,
                             Order order, Sample* xis) {
-    forVectors(
-        n, contexts, xis, [&](const SampleCtx* sc, Sample* results) __attribute__((always_inline)) {
-            V patternid, sampleid;
-            load(sc, patternid, sampleid);
-            Samples<Order>(words, order, patternid, sampleid).store(results);
-        });
+    SampleCtx copies[kLanes];
+    Sample drawn[kLanes];
+    for (std::size_t i = 0; i < n;) {
+        const std::size_t whole = std::min((n - i) / kLanes, kBlockVectors);
+        // The rest, which fills no vector, is copied. One call, since all of this is inlined.
+        const bool isRest = whole == 0;
+        if (isRest)
+            std::fill(std::copy(contexts + i, contexts + n, copies), copies + kLanes, SampleCtx{});
+        drawBlock(isRest ? 1 : whole, words, isRest ? copies : contexts + i, order,
+                  isRest ? drawn : xis + i);
+        if (isRest) std::copy_n(drawn, n - i, xis + i);
+        i += isRest ? n - i : whole * kLanes;
+    }
 }
 
 template <typename Sample>
-void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, unsigned slot,
+void drawJoint(std::size_t n, const uint64_t* words, const SampleCtx* contexts, unsigned slot,
                unsigned split, Sample* xis) {
     const JointDigits& digits = kJointDigits[slot];
     if (split == 1) return drawInOrder(n, words, contexts, JointOrder(digits), xis);
@@ -429,28 +531,28 @@ void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, 
 }
 
 template <typename Sample>
-void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
+void draw(std::size_t n, const uint64_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
     drawInOrder(n, words, contexts, ShuffledOrder(), xis);
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
 }
 
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                      unsigned newnumsamples, SampleCtx* children) {
-    const PermutationKey key = permutationKey(static_cast<unsigned>(scramble));
+    const DerivationKey key = derivationKey(scramble);
     forVectors(n, parents, children, [&](const SampleCtx* parent, SampleCtx* child) {
         V patternid, sampleid;
         load(parent, patternid, sampleid);
-        store(permuteBits(patternid, key), hn::Mul(sampleid, constant(newnumsamples)), child);
+        store(derivePattern(patternid, key), hn::Mul(sampleid, constant(newnumsamples)), child);
     });
 }
 
 void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
                        unsigned newsampleid, SampleCtx* children) {
-    const PermutationKey key = permutationKey(static_cast<unsigned>(scramble));
+    const DerivationKey key = derivationKey(scramble);
     forVectors(n, parents, children, [&](const SampleCtx* parent, SampleCtx* child) {
         V patternid, sampleid;
         load(parent, patternid, sampleid);
-        const V domain = permuteBits(patternid, key);
+        const V domain = derivePattern(patternid, key);
         store(permuteBitsByKey(domain, hn::Xor(sampleid, constant(detail::kDistribKey))),
               constant(newsampleid), child);
     });

@@ -6,7 +6,11 @@
 #include "wellstrat/sobol.h"
 
 #include <algorithm>
-#include <memory>
+#include <new>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -88,61 +92,70 @@ private:
     uint16_t flips_[kTableSize / 2];
 };
 
-/// Random bits for digits 13 to 24 of z of the point at `offset`: bits 19..8.
-uint32_t leafBitsZ(uint32_t offset) {
-    uint32_t bits = offset * 0x510e527fu;            // sqrt(11), see digitalShift
-    bits = (bits ^ bits >> 15) * 0x9b05688du;        // sqrt(13)
-    return (bits * 0x1f83d9abu >> 12) & 0x000fff00u; // sqrt(17)
-}
+/// Chosen like the constant of tableSeed (docs/decisions/0009-table-seed.md).
+constexpr uint32_t kDigitKey = 0x65a000ecu;
 
-void fillTable(unsigned table, const SobolStrata& sobol, uint32_t* words) {
+void fillTable(unsigned table, const SobolStrata& sobol, uint64_t* words) {
     const StratumScrambling scrambleX(tableSeed(table, Coordinate::x));
     const StratumScrambling scrambleY(tableSeed(table, Coordinate::y));
     const StratumScrambling scrambleZ(tableSeed(table, Coordinate::z));
     for (unsigned first = 0; first < kTableSize; first += kGroupSize) {
         const uint32_t offset = tableOffset(table, first);
         for (unsigned i = 0; i < kGroupSize; ++i) {
-            words[offset + i] = scrambleX(sobol.x[first + i]) << 20 | scrambleY(sobol.y[first + i])
-                                                                          << 8;
-            words[kTablePoints + offset + i] =
-                scrambleZ(sobol.z[first + i]) << 20 | leafBitsZ(offset + i);
+            const uint32_t x = scrambleX(sobol.x[first + i]), z = scrambleZ(sobol.z[first + i]);
+            const uint32_t digits = mixBits(mixBits(offset + i) ^ kDigitKey);
+            const uint32_t lower = x << 20 | (digits >> 12 & 0xff000u) | (x ^ z);
+            const uint32_t upper = scrambleY(sobol.y[first + i]) << 20 | (digits & 0xfffffu);
+            words[offset + i] = uint64_t{upper} << 32 | lower;
         }
     }
 }
 
-const uint32_t* makeTables() {
-    std::unique_ptr<uint32_t[]> words(new uint32_t[2 * kTablePoints]);
+/// Memory for the tables, if possible in pages of 2 MiB: samples are looked up all over them, and
+/// six pages are in every processor's list of pages, 3072 are not.
+uint64_t* allocateTables() {
+    constexpr std::size_t kBytes = kTablePoints * sizeof(uint64_t);
+    constexpr std::size_t kLargePage = std::size_t{1} << 21;
+    void* memory = ::operator new (kBytes, std::align_val_t{kLargePage});
+#if defined(__linux__)
+    static_cast<void>(madvise(memory, kBytes, MADV_HUGEPAGE)); // without it, just slower
+#endif
+    return static_cast<uint64_t*>(memory);
+}
+
+const uint64_t* makeTables() {
+    uint64_t* const words = allocateTables();
     const SobolStrata sobol;
-    for (unsigned table = 0; table < kTableCount; ++table) fillTable(table, sobol, words.get());
-    return words.release();
+    for (unsigned table = 0; table < kTableCount; ++table) fillTable(table, sobol, words);
+    return words;
 }
 
 } // namespace
 
 namespace detail {
-std::atomic<const uint32_t*> tableWords{nullptr};
-const uint32_t* builtTables = nullptr;
+std::atomic<const uint64_t*> tableWords{nullptr};
+const uint64_t* builtTables = nullptr;
 } // namespace detail
 
-const uint32_t* buildTables() {
+const uint64_t* buildTables() {
     // Never freed: a thread may still draw while the program ends.
-    static const uint32_t* const words = detail::builtTables = makeTables();
+    static const uint64_t* const words = detail::builtTables = makeTables();
     detail::tableWords.store(words, std::memory_order_release);
     return words;
 }
 
 uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate) {
-    const uint32_t* words = tables();
-    const uint32_t offset = tableOffset(table, index);
     constexpr uint32_t digits1To24 = 0xffffff00u;
+    const uint64_t point = tables()[tableOffset(table, index)];
+    const auto lower = static_cast<uint32_t>(point), upper = static_cast<uint32_t>(point >> 32);
     switch (coordinate) {
-    case Coordinate::x: return tableX(words[offset], leafBits(words[offset], offset)) & digits1To24;
-    case Coordinate::y: return tableY(words[offset], leafBits(words[offset], offset)) & digits1To24;
-    default: return words[kTablePoints + offset];
+    case Coordinate::x: return lower & digits1To24;
+    case Coordinate::y: return upper & digits1To24;
+    default: return tableZ(lower) & digits1To24;
     }
 }
 
-std::size_t tableBytes() { return std::size_t{2} * kTablePoints * sizeof(uint32_t); }
+std::size_t tableBytes() { return std::size_t{kTablePoints} * sizeof(uint64_t); }
 
 } // namespace stream1
 } // namespace wellstrat

@@ -13,26 +13,6 @@ namespace detail {
 
 namespace {
 
-/// The inverse of odd `a` modulo 2^32, by Newton's iteration: `a` itself is right in 3 bits, and
-/// each step doubles them.
-constexpr uint32_t inverse(uint32_t a) {
-    uint32_t x = a;
-    for (int bits = 3; bits < 32; bits *= 2) x *= 2u - a * x;
-    return x;
-}
-
-/// Undoes mixBits, step by step from its end.
-constexpr uint32_t unmixBits(uint32_t x, uint32_t secondMultiplier) {
-    x ^= (x >> 15) ^ (x >> 30);
-    x *= inverse(secondMultiplier);
-    x ^= (x >> 15) ^ (x >> 30);
-    x *= inverse(kFirstMultiplier);
-    x ^= x >> 16;
-    return x;
-}
-
-static_assert(unmixBits(wellstrat::mixBits(0x12345678u), kSecondMultiplier) == 0x12345678u);
-
 std::string hexadecimal(unsigned value) {
     char text[16];
     std::snprintf(text, sizeof text, "0x%08x", value);
@@ -40,11 +20,6 @@ std::string hexadecimal(unsigned value) {
 }
 
 } // namespace
-
-unsigned parentPattern(unsigned patternid, Scramble scramble) {
-    const PermutationKey key = permutationKey(static_cast<unsigned>(scramble));
-    return unmixBits(patternid, key.multiplier) ^ key.mask;
-}
 
 PathId pathOf(const Derivation& domain, SampleCtx context) {
     unsigned pattern = context.patternid;

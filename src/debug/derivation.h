@@ -20,9 +20,6 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace detail {
 
-/// The pattern of which derivePattern(., scramble) is `patternid`.
-unsigned parentPattern(unsigned patternid, Scramble scramble);
-
 /// One way to derive a domain: a chain of scrambles and splits that begins at the camera.
 /// Distribution mixes the sampleid into the pattern, which cannot be undone; from there on the
 /// chain begins anew.

@@ -19,8 +19,8 @@ namespace {
 
 constexpr auto kScramble = static_cast<Scramble>(0x2d96c92bu);
 
-/// Longer than four of the longest vectors.
-constexpr std::size_t kLongest = 70;
+/// Longer than the largest block, eight vectors of 16, and one vector.
+constexpr std::size_t kLongest = 150;
 
 template <typename T>
 bool sameBits(const T& a, const T& b) {
@@ -34,7 +34,7 @@ std::vector<std::string> targets() {
 }
 
 /// What contexts of a batch look like.
-enum class Kind { coherent, mixedBlocks, someBeyond, allBeyond, anything };
+enum class Kind { coherent, mixedBlocks, atTheEnd, someBeyond, allBeyond, anything };
 
 SampleCtx makeContext(Kind kind, unsigned i) {
     const unsigned pattern = HashToUnsigned(11, i);
@@ -42,6 +42,7 @@ SampleCtx makeContext(Kind kind, unsigned i) {
     switch (kind) {
     case Kind::coherent: return {pattern, 37};
     case Kind::mixedBlocks: return {pattern, random % kStratifiedSamples};
+    case Kind::atTheEnd: return {pattern, kStratifiedSamples - random % 2};
     case Kind::someBeyond: return {pattern, random % (2 * kStratifiedSamples)};
     case Kind::allBeyond: return {pattern, kStratifiedSamples + random % 1000};
     default: return {pattern, random};
@@ -57,7 +58,7 @@ protected:
     /// last, and the first is at any offset to the alignment of vectors.
     template <typename Check>
     void forBatches(Check check) {
-        for (const Kind kind : {Kind::coherent, Kind::mixedBlocks, Kind::someBeyond,
+        for (const Kind kind : {Kind::coherent, Kind::mixedBlocks, Kind::atTheEnd, Kind::someBeyond,
                                 Kind::allBeyond, Kind::anything}) {
             for (std::size_t n = 0; n <= kLongest; ++n) {
                 std::vector<SampleCtx> contexts(n);

@@ -84,7 +84,7 @@ TEST(Tables, LastTwelveDigitsAreIndependentOfOtherDigits) {
 }
 
 TEST(Tables, BuildingAgainChangesNothing) {
-    const uint32_t* first = tables();
+    const uint64_t* first = tables();
     EXPECT_EQ(buildTables(), first);
     EXPECT_EQ(tables(), first);
     EXPECT_LE(tableBytes(), std::size_t{19} << 20);

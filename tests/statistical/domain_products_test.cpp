@@ -100,12 +100,21 @@ private:
     std::vector<Errors> errors_;
 };
 
+/// How the domains of a pixel are derived: all from the camera, or each from the one before, from
+/// patterns that count up, by scrambles that count up.
+enum class Derivation { fromCamera, inAChain };
+
 /// Pixel p of an image 1024 pixels wide.
-void addLibraryPixel(Study& study, unsigned domains, unsigned p) {
+void addLibraryPixel(Study& study, unsigned domains, unsigned p,
+                     Derivation derivation = Derivation::fromCamera) {
     const SampleCtx pixel =
         cameraContext(static_cast<int>(p % 1024), static_cast<int>(p / 1024), 0, 0);
     unsigned patterns[kMaxDomains];
-    for (unsigned d = 0; d < domains; ++d) patterns[d] = pixel.NewDomain(kScrambles[d]).patternid;
+    for (unsigned d = 0; d < domains; ++d) {
+        patterns[d] = derivation == Derivation::fromCamera
+                          ? pixel.NewDomain(kScrambles[d]).patternid
+                          : derivePattern(d == 0 ? p : patterns[d - 1], static_cast<Scramble>(d));
+    }
     study.addPixel([&](unsigned d, unsigned i) {
         const Float2 xi = sample2D(patterns[d], i);
         return Point2{xi.x, xi.y};
@@ -124,20 +133,22 @@ struct Range {
     const char* name;
     std::vector<unsigned> counts;
     unsigned pixels;
+    Derivation derivation = Derivation::fromCamera;
 };
 
 class DomainProducts : public testing::TestWithParam<Range> {};
 
 // The ratio of the two errors is at most 1.05. With these numbers of pixels its noise is at most
-// 0.01, which is checked: a library as good as the yardstick fails one of the 168 comparisons with
+// 0.01, which is checked: a library as good as the yardstick fails one of the 224 comparisons with
 // a probability below 1e-4 (the noisiest are 5 deviations away). That the mean of the errors is 0,
-// within six deviations, guards against bias.
+// within six deviations, guards against bias. One pixel in 600,000 has two domains with one table
+// and nearly one order, and an error of 17 deviations; the numbers of pixels leave room for one.
 TEST_P(DomainProducts, HaveTheErrorOfExactlyShuffledDomains) {
     const ExactTables tables;
     Study library(GetParam().counts, kMaxDomains), reference(GetParam().counts, kMaxDomains);
     const unsigned pixels = GetParam().pixels * (nightly() ? 8 : 1);
     for (unsigned p = 0; p < pixels; ++p) {
-        addLibraryPixel(library, kMaxDomains, p);
+        addLibraryPixel(library, kMaxDomains, p, GetParam().derivation);
         addReferencePixel(reference, tables, p);
     }
     for (std::size_t c = 0; c < library.counts().size(); ++c) {
@@ -157,11 +168,13 @@ TEST_P(DomainProducts, HaveTheErrorOfExactlyShuffledDomains) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(With, DomainProducts,
-                         testing::Values(Range{"4And16Samples", {4, 16}, 1u << 20},
-                                         Range{"64And256Samples", {64, 256}, 1u << 16},
-                                         Range{"1024And4096Samples", {1024, 4096}, 15u << 10}),
-                         [](const auto& instance) { return std::string(instance.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    With, DomainProducts,
+    testing::Values(Range{"4And16Samples", {4, 16}, 1u << 20},
+                    Range{"64And256Samples", {64, 256}, 1u << 16},
+                    Range{"64And256SamplesInAChain", {64, 256}, 1u << 16, Derivation::inAChain},
+                    Range{"1024And4096Samples", {1024, 4096}, 24u << 10}),
+    [](const auto& instance) { return std::string(instance.param.name); });
 
 // Each of the blocks of 4096 samples has its own table and its own swaps, so four times as many
 // samples halve the error, or better, and a floor shows as an error that stays the same. With 1024
