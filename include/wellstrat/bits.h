@@ -86,10 +86,10 @@ namespace detail {
 
 /// Vector registers convert two words with half of the instructions, and do not wait for the
 /// integer units.
-typedef uint32_t Words __attribute__((vector_size(16)));
-typedef uint64_t WordPairs __attribute__((vector_size(16)));
-typedef int32_t Integers __attribute__((vector_size(16)));
-typedef float Floats __attribute__((vector_size(16)));
+using Words __attribute__((vector_size(16))) = uint32_t;
+using WordPairs __attribute__((vector_size(16))) = uint64_t;
+using Integers __attribute__((vector_size(16))) = int32_t;
+using Floats __attribute__((vector_size(16))) = float;
 
 inline Floats toUnitFloats(Words v) {
     return __builtin_convertvector(reinterpret_cast<Integers>(v >> 8), Floats) * 0x1p-24f;
@@ -100,7 +100,7 @@ inline float toUnitFloat(Words v) { return toUnitFloats(v)[0]; }
 
 #else
 
-typedef uint32_t Words;
+using Words = uint32_t;
 using stream1::toUnitFloat;
 
 #endif

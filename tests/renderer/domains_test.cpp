@@ -225,10 +225,12 @@ TEST(Domains, SlotsAreUsedOnceOnAPath) {
             options.depth = kDepth;
             renderFilm(closedBox(), 1, kSamples, options);
             for (unsigned slot = 0; slot < kJointSlots; ++slot) {
+                unsigned drawn = 0; // some paths end before the last slots
                 for (unsigned s = 0; s < split * kSamples; ++s) {
                     EXPECT_LE(slots.of(slot).countAt(s), 1u) << "slot " << slot << ", sample " << s;
+                    drawn += slots.of(slot).countAt(s);
                 }
-                EXPECT_TRUE(distrib || slots.of(slot).countAt(0) == 1) << "slot " << slot;
+                EXPECT_TRUE(distrib || drawn > 0) << "slot " << slot;
             }
             EXPECT_GT(slots.of(kJointSlots).countAt(0), 0u);
         }
