@@ -156,7 +156,8 @@ TEST_F(GeneratorTest, ChildOrderHearsTheParentTheScrambleAndTheSplit) {
     EXPECT_EQ(plain.order.tag, 100u);
     EXPECT_EQ(distrib.order.tag, 200u);
     EXPECT_EQ(some.order, split.order);
-    EXPECT_EQ(RixRNG(plain, indices, 2, children).order, plain.order);
+    SampleCtx copies[2];
+    EXPECT_EQ(RixRNG(plain, indices, 2, copies).order, plain.order);
     EXPECT_EQ(RixRNG(plain, children, 4).order, plain.order);
     EXPECT_EQ(tellTale.calls.size(), 4u);
 }
