@@ -98,6 +98,20 @@ inline Floats toUnitFloats(Words v) {
 /// toUnitFloat of the first word, where it is in such a register already.
 inline float toUnitFloat(Words v) { return toUnitFloats(v)[0]; }
 
+/// The 64-bit product of two words, in a vector register from the start.
+inline WordPairs product(uint32_t a, uint32_t b) {
+#if defined(__clang__)
+    constexpr WordPairs lower{0xffffffffu, 0xffffffffu}; // so it knows that one instruction will do
+    return (reinterpret_cast<WordPairs>(Words{a}) & lower) *
+           (reinterpret_cast<WordPairs>(Words{b}) & lower);
+#elif defined(__SSE2__)
+    return reinterpret_cast<WordPairs>(__builtin_ia32_pmuludq128(
+        Integers{static_cast<int32_t>(a)}, Integers{static_cast<int32_t>(b)}));
+#else
+    return WordPairs{uint64_t{a} * b};
+#endif
+}
+
 #else
 
 using Words = uint32_t;
@@ -107,16 +121,16 @@ using stream1::toUnitFloat;
 
 } // namespace detail
 
-/// toUnitFloat of both halves of word ^ shift, the lower half first.
-WELLSTRAT_HOST_DEVICE inline Float2 toUnitFloats(uint64_t word, uint64_t shift) {
+/// toUnitFloat of both halves of (a * b) ^ shift, a product of 64 bits, the lower half first.
+WELLSTRAT_HOST_DEVICE inline Float2 toUnitFloats(uint32_t a, uint32_t b, uint64_t shift) {
 #if WELLSTRAT_VECTOR_TYPES
-    const auto shifted = detail::WordPairs{word} ^ detail::WordPairs{shift};
+    const auto shifted = detail::product(a, b) ^ detail::WordPairs{shift};
     const detail::Floats floats = detail::toUnitFloats(reinterpret_cast<detail::Words>(shifted));
     Float2 result;
     __builtin_memcpy(&result, &floats, sizeof result);
     return result;
 #else
-    word ^= shift;
+    const uint64_t word = (uint64_t{a} * b) ^ shift;
     return {toUnitFloat(static_cast<uint32_t>(word)),
             toUnitFloat(static_cast<uint32_t>(word >> 32))};
 #endif

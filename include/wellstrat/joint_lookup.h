@@ -139,7 +139,7 @@ inline uint32_t otherJointOffset(uint32_t seed, uint32_t sampleid, unsigned slot
                       : jointOffset(seed, sampleid, slot, split);
 }
 
-WELLSTRAT_NOINLINE inline float otherJointSample1D(const uint64_t* words, uint32_t patternid,
+WELLSTRAT_NOINLINE inline float otherJointSample1D(const uint32_t* words, uint32_t patternid,
                                                    uint32_t sampleid, unsigned slot,
                                                    unsigned split) {
     if (isJointRandom(sampleid, split)) return randomSample1D(patternid, sampleid);
@@ -147,7 +147,7 @@ WELLSTRAT_NOINLINE inline float otherJointSample1D(const uint64_t* words, uint32
     return tableSampleZ(words, seed, otherJointOffset(seed, sampleid, slot, split));
 }
 
-WELLSTRAT_NOINLINE inline Float2 otherJointSample2D(const uint64_t* words, uint32_t patternid,
+WELLSTRAT_NOINLINE inline Float2 otherJointSample2D(const uint32_t* words, uint32_t patternid,
                                                     uint32_t sampleid, unsigned slot,
                                                     unsigned split) {
     if (isJointRandom(sampleid, split)) return randomSample2D(patternid, sampleid);
@@ -155,7 +155,7 @@ WELLSTRAT_NOINLINE inline Float2 otherJointSample2D(const uint64_t* words, uint3
     return tableSampleXY(words, seed, otherJointOffset(seed, sampleid, slot, split));
 }
 
-WELLSTRAT_NOINLINE inline Float3 otherJointSample3D(const uint64_t* words, uint32_t patternid,
+WELLSTRAT_NOINLINE inline Float3 otherJointSample3D(const uint32_t* words, uint32_t patternid,
                                                     uint32_t sampleid, unsigned slot,
                                                     unsigned split) {
     if (isJointRandom(sampleid, split)) return randomSample3D(patternid, sampleid);
@@ -168,7 +168,7 @@ WELLSTRAT_NOINLINE inline Float3 otherJointSample3D(const uint64_t* words, uint3
 /// Sample `sampleid` of pattern `patternid`, drawn from a slot under splits by `split` in all, from
 /// the tables at `words`: z, (x, y) and (x, y, z) of its point in [0, 1). Any two integers are
 /// valid. Safe in any thread.
-inline float jointSample1D(const uint64_t* words, uint32_t patternid, uint32_t sampleid,
+inline float jointSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                            unsigned slot, unsigned split) {
     if (detail::isOtherJoint(sampleid, split)) {
         return detail::otherJointSample1D(words, patternid, sampleid, slot, split);
@@ -176,7 +176,7 @@ inline float jointSample1D(const uint64_t* words, uint32_t patternid, uint32_t s
     const uint32_t seed = patternSeed(patternid);
     return tableSampleZ(words, seed, detail::jointOffset(seed, sampleid, slot));
 }
-inline Float2 jointSample2D(const uint64_t* words, uint32_t patternid, uint32_t sampleid,
+inline Float2 jointSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
     if (detail::isOtherJoint(sampleid, split)) {
         return detail::otherJointSample2D(words, patternid, sampleid, slot, split);
@@ -184,7 +184,7 @@ inline Float2 jointSample2D(const uint64_t* words, uint32_t patternid, uint32_t 
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXY(words, seed, detail::jointOffset(seed, sampleid, slot));
 }
-inline Float3 jointSample3D(const uint64_t* words, uint32_t patternid, uint32_t sampleid,
+inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
     if (detail::isOtherJoint(sampleid, split)) {
         return detail::otherJointSample3D(words, patternid, sampleid, slot, split);

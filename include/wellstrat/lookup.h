@@ -85,17 +85,16 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t digitalShift(uint32_t seed, Coordinate 
 }
 
 /// z, (x, y) and (x, y, z) of the point at `offset` as a pattern sees it.
-WELLSTRAT_HOST_DEVICE inline float tableSampleZ(const uint64_t* words, uint32_t seed,
+WELLSTRAT_HOST_DEVICE inline float tableSampleZ(const uint32_t* words, uint32_t seed,
                                                 uint32_t offset) {
-    const detail::Words xWord{static_cast<uint32_t>(words[offset])};
-    const detail::Words shift{digitalShift(seed, Coordinate::z)};
-    return detail::toUnitFloat(tableZ(xWord) ^ shift);
+    const detail::Words word{words[kTablePoints + offset]};
+    return detail::toUnitFloat(word ^ detail::Words{digitalShift(seed, Coordinate::z)});
 }
-WELLSTRAT_HOST_DEVICE inline Float2 tableSampleXY(const uint64_t* words, uint32_t seed,
+WELLSTRAT_HOST_DEVICE inline Float2 tableSampleXY(const uint32_t* words, uint32_t seed,
                                                   uint32_t offset) {
-    return toUnitFloats(words[offset], shiftXY(seed));
+    return toUnitFloats(words[offset], kPairMultiplier, shiftXY(seed));
 }
-WELLSTRAT_HOST_DEVICE inline Float3 tableSampleXYZ(const uint64_t* words, uint32_t seed,
+WELLSTRAT_HOST_DEVICE inline Float3 tableSampleXYZ(const uint32_t* words, uint32_t seed,
                                                    uint32_t offset) {
     const Float2 xy = tableSampleXY(words, seed, offset);
     return {xy.x, xy.y, tableSampleZ(words, seed, offset)};
@@ -110,21 +109,21 @@ WELLSTRAT_HOST_DEVICE constexpr bool isLater(uint32_t sampleid) {
 }
 
 WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline float
-laterSample1D(const uint64_t* words, uint32_t patternid, uint32_t sampleid) {
+laterSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample1D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleZ(words, seed, sampleOffset(seed, sampleid));
 }
 
 WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float2
-laterSample2D(const uint64_t* words, uint32_t patternid, uint32_t sampleid) {
+laterSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample2D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXY(words, seed, sampleOffset(seed, sampleid));
 }
 
 WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float3
-laterSample3D(const uint64_t* words, uint32_t patternid, uint32_t sampleid) {
+laterSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample3D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXYZ(words, seed, sampleOffset(seed, sampleid));
@@ -136,7 +135,7 @@ laterSample3D(const uint64_t* words, uint32_t patternid, uint32_t sampleid) {
 /// so that a 1D and a 2D draw from one context make one 3D point. The first 4096 samples, which
 /// most patterns never leave, are inlined; what follows from their being in block 0, compilers
 /// find out.
-WELLSTRAT_HOST_DEVICE inline float sample1D(const uint64_t* words, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline float sample1D(const uint32_t* words, uint32_t patternid,
                                             uint32_t sampleid) {
     if (detail::isLater(sampleid)) return detail::laterSample1D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
@@ -144,7 +143,7 @@ WELLSTRAT_HOST_DEVICE inline float sample1D(const uint64_t* words, uint32_t patt
 }
 
 /// The same for (x, y) of the point.
-WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint64_t* words, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
     if (detail::isLater(sampleid)) return detail::laterSample2D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
@@ -152,7 +151,7 @@ WELLSTRAT_HOST_DEVICE inline Float2 sample2D(const uint64_t* words, uint32_t pat
 }
 
 /// The same for the whole point.
-WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint64_t* words, uint32_t patternid,
+WELLSTRAT_HOST_DEVICE inline Float3 sample3D(const uint32_t* words, uint32_t patternid,
                                              uint32_t sampleid) {
     if (detail::isLater(sampleid)) return detail::laterSample3D(words, patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);

@@ -3,18 +3,17 @@
 // The tables: 384 sequences of 4096 three-dimensional points each, the first three Sobol'
 // dimensions, each with its own nested uniform scrambling (owen.h).
 //
-// A point is one word of 64 bits, so that one load gives all of it: the x word, of 32 bits, in the
-// lower half, and the y word in the upper half. The first 12 binary digits of a coordinate decide
-// everything about the stratification of 4096 points. The scrambling of the digits after them is
-// one independent random bit for each point, since no two points share 12 digits of a coordinate.
-// These digits are a hash of the point's place, those for which there is room; the last digits of x
-// and z are others that happen to lie there:
+// x and y of a point are one word of 32 bits, so that one load gives a 2D point and few lines of
+// the cache are needed; z is another. The first 12 binary digits of a coordinate decide everything
+// about the stratification of 4096 points. The scrambling of the digits after them is one
+// independent random bit for each point, since no two points share 12 digits of a coordinate; 8 of
+// 24 such bits of x and y have room in the word. They are not cut out of it: the word is one of
+// those, some 256, whose product with a constant has the 12 digits of x on top of its lower half
+// and those of y on top of its upper half, and one multiplication gives 24 digits and more of each.
 //
-//     bit      31 ............. 20 19 ........... 12 11 ........................ 0
-//     x word   x1 to x12           hash h1 to h8     x ^ z, digits 1 to 12
-//     x        x1 to x12           h1 to h8          its first four digits          xWord
-//     z        z1 to z12           (x1 to x8) ^ h    its others, ^ (x9 to x12)...   xWord ^ rotated
-//     y word   y1 to y12           hash              hash
+//     bit               63 .......... 52 51 ... 32 31 .......... 20 19 .... 0
+//     word * constant   y, 12 digits     more      x, 12 digits     more
+//     z word                                       z, 12 digits     hash
 //
 // Order in memory: the same 256 samples of all tables lie side by side, since a renderer draws
 // about the same sampleid from all tables at a time; within such a group the sample with the
@@ -44,46 +43,52 @@ constexpr unsigned kGroupSize = 256;
 /// one; samples beyond are unstratified.
 constexpr unsigned kStratifiedSamples = 48 * kTableSize;
 
-/// The points of all tables.
+/// The points of all tables. In memory: their xy words, then their z words.
 constexpr uint32_t kTablePoints = kTableCount * kTableSize;
 
-/// Where sample `index` in [0, kTableSize) of `table` in [0, kTableCount) lies.
+/// Where the xy word of sample `index` in [0, kTableSize) of `table` in [0, kTableCount) lies; the
+/// z word lies kTablePoints further on.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t tableOffset(uint32_t table, uint32_t index) {
     return ((index / kGroupSize) * kTableCount + table) * kGroupSize + reverseByte(index);
 }
 
-/// z of a point as a fraction of 2^32, from its x word, one of them or a vector. Bits below the
-/// 24th digit mean nothing, as in the words themselves.
-template <typename Word>
-WELLSTRAT_HOST_DEVICE constexpr Word tableZ(Word xWord) {
-    return xWord ^ (xWord << 20 | xWord >> 12);
+/// By how much x falls from one xy word to the next. 17.0005 of these steps are a stratum of x, so
+/// 17 words in a row have its 12 digits (docs/decisions/0013-cheaper-draws.md).
+constexpr uint32_t kWordStep = 61679;
+
+/// What an xy word is multiplied with.
+constexpr uint32_t kPairMultiplier = 0u - kWordStep;
+
+/// x (lower half) and y of a point as fractions of 2^32, from its xy word.
+WELLSTRAT_HOST_DEVICE constexpr uint64_t tableXY(uint32_t word) {
+    return uint64_t{word} * kPairMultiplier;
 }
 
 namespace detail {
 
 /// Null until the tables are built. `tables()` is how to read it.
-extern WELLSTRAT_API std::atomic<const uint64_t*> tableWords;
+extern WELLSTRAT_API std::atomic<const uint32_t*> tableWords;
 
 /// The same, to be read by threads that have seen the tables built.
-extern WELLSTRAT_API const uint64_t* builtTables;
+extern WELLSTRAT_API const uint32_t* builtTables;
 
 } // namespace detail
 
 /// Builds the tables if that has not been done, which takes some milliseconds, and returns them.
 /// Call it at start-up to keep that time out of the first use. Any number of threads may call at
 /// once; all return when the tables are ready. Throws std::bad_alloc without memory (12 MiB).
-WELLSTRAT_API const uint64_t* buildTables();
+WELLSTRAT_API const uint32_t* buildTables();
 
-/// The kTablePoints words of the tables, which the first call builds. Read-only, and valid until
-/// the program ends. Safe in any thread.
-inline const uint64_t* tables() {
-    const uint64_t* words = detail::tableWords.load(std::memory_order_acquire);
+/// The 2 * kTablePoints words of the tables, which the first call builds. Read-only, and valid
+/// until the program ends. Safe in any thread.
+inline const uint32_t* tables() {
+    const uint32_t* words = detail::tableWords.load(std::memory_order_acquire);
     return words != nullptr ? words : buildTables();
 }
 
 /// The same for threads that have called it or `buildTables()` before: without a check, and so that
 /// compilers may keep it in a register over a loop of draws.
-inline const uint64_t* builtTables() { return detail::builtTables; }
+inline const uint32_t* builtTables() { return detail::builtTables; }
 
 /// One coordinate of sample `index` in [0, kTableSize) of `table` in [0, kTableCount), as a
 /// fraction of 2^32 and a multiple of 2^-24. Out of range is undefined.

@@ -18,17 +18,17 @@ namespace batch {
 /// contexts are not written to.
 struct Kernels {
     const char* target;
-    void (*draw1D)(std::size_t n, const uint64_t* words, SampleCtx* contexts, unsigned step,
+    void (*draw1D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    float* xis);
-    void (*draw2D)(std::size_t n, const uint64_t* words, SampleCtx* contexts, unsigned step,
+    void (*draw2D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    Float2* xis);
-    void (*draw3D)(std::size_t n, const uint64_t* words, SampleCtx* contexts, unsigned step,
+    void (*draw3D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    Float3* xis);
-    void (*drawJoint1D)(std::size_t n, const uint64_t* words, const SampleCtx* contexts,
+    void (*drawJoint1D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                         unsigned slot, unsigned split, float* xis);
-    void (*drawJoint2D)(std::size_t n, const uint64_t* words, const SampleCtx* contexts,
+    void (*drawJoint2D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                         unsigned slot, unsigned split, Float2* xis);
-    void (*drawJoint3D)(std::size_t n, const uint64_t* words, const SampleCtx* contexts,
+    void (*drawJoint3D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                         unsigned slot, unsigned split, Float3* xis);
     void (*newDomainsSplit)(std::size_t n, const SampleCtx* parents, Scramble scramble,
                             unsigned newnumsamples, SampleCtx* children);

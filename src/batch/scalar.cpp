@@ -12,7 +12,7 @@ namespace batch {
 namespace {
 
 template <auto kSample, typename Sample>
-void draw(std::size_t n, const uint64_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
+void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
     for (std::size_t i = 0; i < n; ++i) {
         xis[i] = kSample(words, contexts[i].patternid, contexts[i].sampleid);
         if (step != 0) contexts[i].sampleid += step;
@@ -20,7 +20,7 @@ void draw(std::size_t n, const uint64_t* words, SampleCtx* contexts, unsigned st
 }
 
 template <auto kSample, typename Sample>
-void drawJoint(std::size_t n, const uint64_t* words, const SampleCtx* contexts, unsigned slot,
+void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, unsigned slot,
                unsigned split, Sample* xis) {
     for (std::size_t i = 0; i < n; ++i) {
         xis[i] = kSample(words, contexts[i].patternid, contexts[i].sampleid, slot, split);
@@ -47,9 +47,9 @@ void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
     }
 }
 
-using Sample1D = float (*)(const uint64_t*, uint32_t, uint32_t);
-using Sample2D = Float2 (*)(const uint64_t*, uint32_t, uint32_t);
-using Sample3D = Float3 (*)(const uint64_t*, uint32_t, uint32_t);
+using Sample1D = float (*)(const uint32_t*, uint32_t, uint32_t);
+using Sample2D = Float2 (*)(const uint32_t*, uint32_t, uint32_t);
+using Sample3D = Float3 (*)(const uint32_t*, uint32_t, uint32_t);
 
 } // namespace
 

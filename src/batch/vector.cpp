@@ -155,8 +155,6 @@ HWY_INLINE P shiftXY(P seed) {
     return hn::Add(lower, hn::ShiftLeft<32>(upper));
 }
 
-HWY_INLINE V tableZ(V xWord) { return hn::Xor(xWord, hn::RotateRight<12>(xWord)); }
-
 // The orders of samples. offset(seed, sampleid) is where the points of samples below `end` lie. For
 // others it means nothing, but is always inside the tables.
 
@@ -389,60 +387,88 @@ HWY_INLINE void storeRandom(V patternid, V sampleid, Float3* xis) {
                           reinterpret_cast<float*>(xis));
 }
 
-/// The points at offsets[0, kLanes / 2), by single loads: gather instructions take longer
-/// (docs/decisions/0013-cheaper-draws.md).
+/// The words at offsets[0, kLanes / 2), each in the lower half of 64 bits; above it is the next
+/// word.
 template <typename D>
-HWY_INLINE hn::Vec<D> pointsAt(D d, const uint64_t* words, const uint32_t* offsets) {
+HWY_INLINE hn::Vec<D> wordsAt(D d, const uint32_t* words, const uint32_t* offsets) {
     constexpr std::size_t count = hn::MaxLanes(D());
     if constexpr (count == 1) {
-        return hn::LoadU(d, words + *offsets);
+        const hn::Repartition<uint32_t, D> halves;
+        return hn::BitCast(d, hn::LoadU(halves, words + *offsets));
     } else {
         const hn::Half<D> half;
-        const auto lower = pointsAt(half, words, offsets);
-        return hn::Combine(d, pointsAt(half, words, offsets + count / 2), lower);
+        const auto lower = wordsAt(half, words, offsets);
+        return hn::Combine(d, wordsAt(half, words, offsets + count / 2), lower);
     }
 }
 
-/// One vector of samples: of the points at `offsets`, for patterns with these seeds.
+/// The same for the xy and the z words of points, with each offset loaded once.
+template <typename D>
+HWY_INLINE void pointsAt(D d, const uint32_t* words, const uint32_t* offsets, hn::Vec<D>& xy,
+                         hn::Vec<D>& z) {
+    constexpr std::size_t count = hn::MaxLanes(D());
+    if constexpr (count == 1) {
+        const uint32_t* point = words + *offsets;
+        const uint32_t first = 0;
+        xy = wordsAt(d, point, &first);
+        z = wordsAt(d, point + kTablePoints, &first);
+    } else {
+        const hn::Half<D> half;
+        hn::Vec<hn::Half<D>> lowerXY, lowerZ, upperXY, upperZ;
+        pointsAt(half, words, offsets, lowerXY, lowerZ);
+        pointsAt(half, words, offsets + count / 2, upperXY, upperZ);
+        xy = hn::Combine(d, upperXY, lowerXY);
+        z = hn::Combine(d, upperZ, lowerZ);
+    }
+}
+
+/// One vector of samples: of the points at `offsets`, for patterns with these seeds. By single
+/// loads: gather instructions take longer (docs/decisions/0013-cheaper-draws.md).
 class Samples {
 public:
-    HWY_INLINE Samples(const uint64_t* words, V seed, const uint32_t* offsets)
-        : seed_(seed), lower_(pointsAt(kPoints, words, offsets)),
-          upper_(pointsAt(kPoints, words, offsets + kLanes / 2)) {}
+    HWY_INLINE Samples(const uint32_t* words, V seed, const uint32_t* offsets)
+        : words_(words), seed_(seed), lower_(offsets), upper_(offsets + kLanes / 2) {}
 
-    HWY_INLINE void store(float* xis) const { hn::StoreU(z(), kFloats, xis); }
+    HWY_INLINE void store(float* xis) const {
+        const uint32_t* z = words_ + kTablePoints;
+        hn::StoreU(zOf(wordsAt(kPoints, z, lower_), wordsAt(kPoints, z, upper_)), kFloats, xis);
+    }
 
-    /// A point has x and y in the order that memory has them in.
     HWY_INLINE void store(Float2* xis) const {
-        const P lower = hn::Xor(lower_, shiftXY(lowerHalf(seed_)));
-        const P upper = hn::Xor(upper_, shiftXY(upperHalf(seed_)));
         float* floats = reinterpret_cast<float*>(xis);
-        hn::StoreU(toUnitFloat(hn::BitCast(kWords, lower)), kFloats, floats);
-        hn::StoreU(toUnitFloat(hn::BitCast(kWords, upper)), kFloats, floats + kLanes);
+        const V lower = xyOf(wordsAt(kPoints, words_, lower_), lowerHalf(seed_));
+        const V upper = xyOf(wordsAt(kPoints, words_, upper_), upperHalf(seed_));
+        hn::StoreU(toUnitFloat(lower), kFloats, floats);
+        hn::StoreU(toUnitFloat(upper), kFloats, floats + kLanes);
     }
 
     HWY_INLINE void store(Float3* xis) const {
-        const P shiftLower = shiftXY(lowerHalf(seed_)), shiftUpper = shiftXY(upperHalf(seed_));
-        const F x = toUnitFloat(hn::Xor(xWords(lower_, upper_), xWords(shiftLower, shiftUpper)));
-        const F y = toUnitFloat(hn::Xor(yWords(lower_, upper_), yWords(shiftLower, shiftUpper)));
-        hn::StoreInterleaved3(x, y, z(), kFloats, reinterpret_cast<float*>(xis));
+        P lowerXY, lowerZ, upperXY, upperZ;
+        pointsAt(kPoints, words_, lower_, lowerXY, lowerZ);
+        pointsAt(kPoints, words_, upper_, upperXY, upperZ);
+        const V lower = xyOf(lowerXY, lowerHalf(seed_)), upper = xyOf(upperXY, upperHalf(seed_));
+        const F x = toUnitFloat(hn::ConcatEven(kWords, upper, lower));
+        const F y = toUnitFloat(hn::ConcatOdd(kWords, upper, lower));
+        hn::StoreInterleaved3(x, y, zOf(lowerZ, upperZ), kFloats, reinterpret_cast<float*>(xis));
     }
 
 private:
-    static HWY_INLINE V xWords(P lower, P upper) {
-        return hn::ConcatEven(kWords, hn::BitCast(kWords, upper), hn::BitCast(kWords, lower));
-    }
-    static HWY_INLINE V yWords(P lower, P upper) {
-        return hn::ConcatOdd(kWords, hn::BitCast(kWords, upper), hn::BitCast(kWords, lower));
+    /// x and y of half a vector of points in turn, as memory has them.
+    static HWY_INLINE V xyOf(P words, P seed) {
+        const P product = hn::MulEven(hn::BitCast(kWords, words), constant(kPairMultiplier));
+        return hn::BitCast(kWords, hn::Xor(product, shiftXY(seed)));
     }
 
-    HWY_INLINE F z() const {
+    HWY_INLINE F zOf(P lower, P upper) const {
+        const V words =
+            hn::ConcatEven(kWords, hn::BitCast(kWords, upper), hn::BitCast(kWords, lower));
         const V shift = hn::Mul(seed_, constant(digitalShift(1, Coordinate::z)));
-        return toUnitFloat(hn::Xor(tableZ(xWords(lower_, upper_)), shift));
+        return toUnitFloat(hn::Xor(words, shift));
     }
 
+    const uint32_t* words_;
     V seed_;
-    P lower_, upper_;
+    const uint32_t *lower_, *upper_;
 };
 
 HWY_INLINE void load(const SampleCtx* contexts, V& patternid, V& sampleid) {
@@ -483,7 +509,7 @@ HWY_INLINE void replaceBeyond(uint32_t end, const SampleCtx* contexts, Sample* x
 /// Draws `vectors` vectors of samples, kBlockVectors at most. First all places are found and then
 /// all points loaded, so that no load waits for the arithmetic of its own sample.
 template <typename Order, typename Sample>
-HWY_INLINE void drawBlock(std::size_t vectors, const uint64_t* words, const SampleCtx* contexts,
+HWY_INLINE void drawBlock(std::size_t vectors, const uint32_t* words, const SampleCtx* contexts,
                           Order& order, Sample* xis) {
     HWY_ALIGN uint32_t seeds[kBlockVectors * kLanes];
     HWY_ALIGN uint32_t offsets[kBlockVectors * kLanes];
@@ -505,7 +531,7 @@ HWY_INLINE void drawBlock(std::size_t vectors, const uint64_t* words, const Samp
 }
 
 template <typename Order, typename Sample>
-HWY_INLINE void drawInOrder(std::size_t n, const uint64_t* words, const SampleCtx* contexts,
+HWY_INLINE void drawInOrder(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                             Order order, Sample* xis) {
     SampleCtx copies[kLanes];
     Sample drawn[kLanes];
@@ -523,7 +549,7 @@ HWY_INLINE void drawInOrder(std::size_t n, const uint64_t* words, const SampleCt
 }
 
 template <typename Sample>
-void drawJoint(std::size_t n, const uint64_t* words, const SampleCtx* contexts, unsigned slot,
+void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, unsigned slot,
                unsigned split, Sample* xis) {
     const JointDigits& digits = kJointDigits[slot];
     if (split == 1) return drawInOrder(n, words, contexts, JointOrder(digits), xis);
@@ -531,7 +557,7 @@ void drawJoint(std::size_t n, const uint64_t* words, const SampleCtx* contexts, 
 }
 
 template <typename Sample>
-void draw(std::size_t n, const uint64_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
+void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
     drawInOrder(n, words, contexts, ShuffledOrder(), xis);
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
 }

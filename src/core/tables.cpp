@@ -93,9 +93,28 @@ private:
 };
 
 /// Chosen like the constant of tableSeed (docs/decisions/0009-table-seed.md).
-constexpr uint32_t kDigitKey = 0x65a000ecu;
+constexpr uint32_t kDigitKey = 0xcae2957eu;
 
-void fillTable(unsigned table, const SobolStrata& sobol, uint64_t* words) {
+/// One of the words whose product with kPairMultiplier has these first 12 digits in its lower half
+/// (x) and in its upper half (y), all equally likely, by random digits. The upper half is the word
+/// less a 70,000th of it, so the word's own upper half decides y, but for a borrow: 17 such halves
+/// may have this y. From a word to the next, x falls by kWordStep: of the words of one half, 17 in
+/// a row have this x, if any.
+uint32_t wordXY(uint32_t x, uint32_t y, uint32_t digits) {
+    constexpr uint32_t kHalves = 17, kChoices = (1u << 20) / kWordStep;
+    constexpr uint32_t kReach = (0x10000u - kChoices) * kWordStep;
+    for (;; digits = mixBits(digits + detail::kGolden)) {
+        const uint32_t half = (y << 4) + (((digits & 0xfffu) * kHalves) >> 12);
+        const uint32_t first = half << 16;
+        const uint32_t fall = 0u - first * kWordStep - (x << 20) - 0xfffffu; // to the first such x
+        if (fall > kReach) continue;
+        const uint32_t choice = ((digits >> 12) * kChoices) >> 20;
+        const uint32_t word = first + (fall + kWordStep - 1) / kWordStep + choice;
+        if (tableXY(word) >> 52 == y && (tableXY(word) >> 20 & 0xfffu) == x) return word;
+    }
+}
+
+void fillTable(unsigned table, const SobolStrata& sobol, uint32_t* words) {
     const StratumScrambling scrambleX(tableSeed(table, Coordinate::x));
     const StratumScrambling scrambleY(tableSeed(table, Coordinate::y));
     const StratumScrambling scrambleZ(tableSeed(table, Coordinate::z));
@@ -103,28 +122,28 @@ void fillTable(unsigned table, const SobolStrata& sobol, uint64_t* words) {
         const uint32_t offset = tableOffset(table, first);
         for (unsigned i = 0; i < kGroupSize; ++i) {
             const uint32_t x = scrambleX(sobol.x[first + i]), z = scrambleZ(sobol.z[first + i]);
+            const uint32_t y = scrambleY(sobol.y[first + i]);
             const uint32_t digits = mixBits(mixBits(offset + i) ^ kDigitKey);
-            const uint32_t lower = x << 20 | (digits >> 12 & 0xff000u) | (x ^ z);
-            const uint32_t upper = scrambleY(sobol.y[first + i]) << 20 | (digits & 0xfffffu);
-            words[offset + i] = uint64_t{upper} << 32 | lower;
+            words[offset + i] = wordXY(x, y, digits);
+            words[kTablePoints + offset + i] = z << 20 | mixBits(~digits) >> 20 << 8;
         }
     }
 }
 
 /// Memory for the tables, if possible in pages of 2 MiB: samples are looked up all over them, and
 /// six pages are in every processor's list of pages, 3072 are not.
-uint64_t* allocateTables() {
-    constexpr std::size_t kBytes = kTablePoints * sizeof(uint64_t);
+uint32_t* allocateTables() {
+    constexpr std::size_t kBytes = (2 * kTablePoints + 1) * sizeof(uint32_t);
     constexpr std::size_t kLargePage = std::size_t{1} << 21;
     void* memory = ::operator new (kBytes, std::align_val_t{kLargePage});
 #if defined(__linux__)
     static_cast<void>(madvise(memory, kBytes, MADV_HUGEPAGE)); // without it, just slower
 #endif
-    return static_cast<uint64_t*>(memory);
+    return static_cast<uint32_t*>(memory);
 }
 
-const uint64_t* makeTables() {
-    uint64_t* const words = allocateTables();
+const uint32_t* makeTables() {
+    uint32_t* const words = allocateTables();
     const SobolStrata sobol;
     for (unsigned table = 0; table < kTableCount; ++table) fillTable(table, sobol, words);
     return words;
@@ -133,29 +152,30 @@ const uint64_t* makeTables() {
 } // namespace
 
 namespace detail {
-std::atomic<const uint64_t*> tableWords{nullptr};
-const uint64_t* builtTables = nullptr;
+std::atomic<const uint32_t*> tableWords{nullptr};
+const uint32_t* builtTables = nullptr;
 } // namespace detail
 
-const uint64_t* buildTables() {
+const uint32_t* buildTables() {
     // Never freed: a thread may still draw while the program ends.
-    static const uint64_t* const words = detail::builtTables = makeTables();
+    static const uint32_t* const words = detail::builtTables = makeTables();
     detail::tableWords.store(words, std::memory_order_release);
     return words;
 }
 
 uint32_t tableValue(unsigned table, unsigned index, Coordinate coordinate) {
     constexpr uint32_t digits1To24 = 0xffffff00u;
-    const uint64_t point = tables()[tableOffset(table, index)];
+    const uint32_t offset = tableOffset(table, index);
+    const uint64_t point = tableXY(tables()[offset]);
     const auto lower = static_cast<uint32_t>(point), upper = static_cast<uint32_t>(point >> 32);
     switch (coordinate) {
     case Coordinate::x: return lower & digits1To24;
     case Coordinate::y: return upper & digits1To24;
-    default: return tableZ(lower) & digits1To24;
+    default: return tables()[kTablePoints + offset] & digits1To24;
     }
 }
 
-std::size_t tableBytes() { return std::size_t{kTablePoints} * sizeof(uint64_t); }
+std::size_t tableBytes() { return std::size_t{2} * kTablePoints * sizeof(uint32_t); }
 
 } // namespace stream1
 } // namespace wellstrat

@@ -15,7 +15,7 @@ namespace {
 /// The tables if they are built and the order is one of most draws', padded or of a slot without
 /// splits; else null. What is rare is compiled apart from what is not, which costs a fifth less
 /// that way.
-const uint64_t* tablesForMost(Order order) {
+const uint32_t* tablesForMost(Order order) {
     const bool most = order.slot == kJointSlots || (order.slot < kJointSlots && order.splits == 1);
     return most ? detail::tableWords.load(std::memory_order_acquire) : nullptr;
 }
@@ -38,7 +38,7 @@ WELLSTRAT_NOINLINE Float3 rareSample3D(const SampleCtx& sc, Order order) {
 } // namespace
 
 float JointProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    const uint64_t* const words = tablesForMost(order);
+    const uint32_t* const words = tablesForMost(order);
     if (WELLSTRAT_UNLIKELY(words == nullptr)) return rareSample1D(sc, order);
     return order.slot == kJointSlots
                ? sample1D(words, sc.patternid, sc.sampleid)
@@ -46,7 +46,7 @@ float JointProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Ord
 }
 
 Float2 JointProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    const uint64_t* const words = tablesForMost(order);
+    const uint32_t* const words = tablesForMost(order);
     if (WELLSTRAT_UNLIKELY(words == nullptr)) return rareSample2D(sc, order);
     return order.slot == kJointSlots
                ? sample2D(words, sc.patternid, sc.sampleid)
@@ -54,7 +54,7 @@ Float2 JointProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Or
 }
 
 Float3 JointProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    const uint64_t* const words = tablesForMost(order);
+    const uint32_t* const words = tablesForMost(order);
     if (WELLSTRAT_UNLIKELY(words == nullptr)) return rareSample3D(sc, order);
     return order.slot == kJointSlots
                ? sample3D(words, sc.patternid, sc.sampleid)

@@ -66,9 +66,9 @@ TEST(FirstUse, BatchDrawsRace) {
 // buildTables gives every caller the same tables.
 TEST(FirstUse, ExplicitBuildsRace) {
     ASSERT_EQ(wellstrat::detail::tableWords.load(), nullptr) << "the tables exist already";
-    const uint64_t* built[kThreads];
+    const uint32_t* built[kThreads];
     race([&](unsigned thread) { built[thread] = wellstrat::buildTables(); });
-    for (const uint64_t* words : built) EXPECT_EQ(words, wellstrat::tables());
+    for (const uint32_t* words : built) EXPECT_EQ(words, wellstrat::tables());
 }
 
 } // namespace

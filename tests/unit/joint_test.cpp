@@ -221,7 +221,7 @@ class JointSplit : public testing::TestWithParam<unsigned> {};
 // around the edges of blocks, of all that is stratified, and of 32 bits.
 TEST_P(JointSplit, SamplesAreThoseOfTheDefinition) {
     const unsigned split = GetParam();
-    const uint64_t* words = tables();
+    const uint32_t* words = tables();
     const uint32_t end = kStratifiedSamples - kStratifiedSamples % split;
     ASSERT_EQ(jointStratifiedSamples(split), end);
     std::vector<uint32_t> firsts{0, 256, 4096, 12288, 4096 * split, 4096 * 2 * split, 131072, 0u};
