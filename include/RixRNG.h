@@ -20,6 +20,7 @@
 #include "wellstrat/array_argument.h"
 #include "wellstrat/detail/few_points.h"
 #include "wellstrat/generator.h"
+#include "wellstrat/joint_lookup.h"
 
 #include <cassert>
 
@@ -146,20 +147,35 @@ public:
     float DrawSample1D(unsigned i) const {
         assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        return generator ? generator->OrderedSample1D(sc, i, order)
-                         : wellstrat::sample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
+        if (drawsFromSlot()) {
+            return wellstrat::jointSample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid,
+                                            order.slot, 1);
+        }
+        return drawsPadded()
+                   ? wellstrat::sample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid)
+                   : generator->OrderedSample1D(sc, i, order);
     }
     RtFloat2 DrawSample2D(unsigned i) const {
         assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        return generator ? generator->OrderedSample2D(sc, i, order)
-                         : wellstrat::sample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
+        if (drawsFromSlot()) {
+            return wellstrat::jointSample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid,
+                                            order.slot, 1);
+        }
+        return drawsPadded()
+                   ? wellstrat::sample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid)
+                   : generator->OrderedSample2D(sc, i, order);
     }
     RtFloat3 DrawSample3D(unsigned i) const {
         assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        return generator ? generator->OrderedSample3D(sc, i, order)
-                         : wellstrat::sample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
+        if (drawsFromSlot()) {
+            return wellstrat::jointSample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid,
+                                            order.slot, 1);
+        }
+        return drawsPadded()
+                   ? wellstrat::sample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid)
+                   : generator->OrderedSample3D(sc, i, order);
     }
 
     /// The same, and then the point's sampleid is incremented.
@@ -279,6 +295,16 @@ public:
 private:
     RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen, Order ownOrder)
         : sampleCtxArray(contexts), numPts(numPoints), generator(gen), order(ownOrder) {}
+
+    // What needs no virtual call: draws from the tables, padded or from slots without splits.
+    bool drawsPadded() const {
+        return !generator ||
+               (generator->drawsSlotsOfTables() && order.slot == wellstrat::kJointSlots);
+    }
+    bool drawsFromSlot() const {
+        return generator && generator->drawsSlotsOfTables() &&
+               order.slot < wellstrat::kJointSlots && order.splits == 1;
+    }
 
     Order childOrder(Scramble scramble, unsigned split) const {
         return generator ? generator->ChildOrder(order, scramble, split)

@@ -27,6 +27,10 @@ class WELLSTRAT_API Generator {
 public:
     virtual ~Generator();
 
+    /// Whether the samples are those of JointProgressive (joint.h), which a RixRNG then draws
+    /// without a virtual call.
+    bool drawsSlotsOfTables() const { return drawsSlotsOfTables_; }
+
     /// The sample of `sc`, the context of point `i` of the RixRNG.
     virtual float Sample1D(const SampleCtx& sc, unsigned i) const = 0;
     virtual Float2 Sample2D(const SampleCtx& sc, unsigned i) const = 0;
@@ -73,11 +77,24 @@ public:
     virtual void MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Order order,
                                        Scramble scramble, unsigned newsampleid,
                                        SampleCtx* children) const;
+
+protected:
+    struct SlotsOfTables {};
+
+    constexpr Generator() = default;
+    explicit constexpr Generator(SlotsOfTables /*tag*/) : drawsSlotsOfTables_(true) {}
+
+private:
+    bool drawsSlotsOfTables_ = false;
 };
 
 /// The base of generators to which the order of a domain matters. They need OrderedSample1D, 2D and
 /// 3D; all other draws are these, without a RixRNG in the root order.
 class WELLSTRAT_API OrderedGenerator : public Generator {
+protected:
+    constexpr OrderedGenerator() = default;
+    explicit constexpr OrderedGenerator(SlotsOfTables tag) : Generator(tag) {}
+
 public:
     ~OrderedGenerator() override;
 

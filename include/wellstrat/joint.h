@@ -41,8 +41,7 @@ inline namespace stream1 {
 /// of the camera is a mistake, by which the two are correlated; a DomainLinter finds it.
 class WELLSTRAT_API JointProgressive final : public OrderedGenerator {
 public:
-    // Not defaulted: clang wants that for constants of the type.
-    constexpr JointProgressive() {} // NOLINT(modernize-use-equals-default)
+    constexpr JointProgressive() : OrderedGenerator(SlotsOfTables{}) {}
     ~JointProgressive() override;
 
     float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override;
