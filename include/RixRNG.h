@@ -247,7 +247,7 @@ public:
     void GenerateSamples3D(Array<RtFloat3> xis) { GenerateSamples3D(numPts, xis); }
 
     /// A new domain of point i; see wellstrat::SampleCtx for the three kinds. A RixRNG around such
-    /// contexts has the root order; the constructors with indices keep what the order has to give.
+    /// contexts has no slot; the constructors with indices keep what the order has to give.
     SampleCtx NewDomain(unsigned i, Scramble scramble) const {
         return NewDomainSplit(i, scramble, 1);
     }
