@@ -530,6 +530,21 @@ HWY_INLINE void drawBlock(std::size_t vectors, const uint32_t* words, const Samp
     for (std::size_t i = 0; i < n; i += kLanes) replaceBeyond(order.end, contexts + i, xis + i);
 }
 
+/// The same for one vector, which by itself need not go through the loops of a block: a batch of 16
+/// takes a tenth less time on AVX-512.
+template <typename Order, typename Sample>
+HWY_INLINE void drawVector(const uint32_t* words, const SampleCtx* contexts, Order& order,
+                           Sample* xis) {
+    V patternid, sampleid;
+    load(contexts, patternid, sampleid);
+    const V seed = patternSeed(patternid);
+    HWY_ALIGN uint32_t offsets[kLanes];
+    hn::Store(order.offset(seed, sampleid), kWords, offsets);
+    Samples(words, seed, offsets).store(xis);
+    if (HWY_LIKELY(hn::AllFalse(kWords, hn::Gt(sampleid, constant(order.end - 1))))) return;
+    replaceBeyond(order.end, contexts, xis);
+}
+
 template <typename Order, typename Sample>
 HWY_INLINE void drawInOrder(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                             Order order, Sample* xis) {
@@ -558,7 +573,12 @@ void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, 
 
 template <typename Sample>
 void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
-    drawInOrder(n, words, contexts, ShuffledOrder(), xis);
+    ShuffledOrder order;
+    if (n == kLanes) {
+        drawVector(words, contexts, order, xis);
+    } else {
+        drawInOrder(n, words, contexts, order, xis);
+    }
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
 }
 
