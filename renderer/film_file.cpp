@@ -22,7 +22,7 @@ namespace wellstrat::render {
 namespace {
 
 const std::string kPrefix = "wellstrat:";
-const std::string kSamples = "samples"; ///< no setting is called so
+const std::string kSamples = "samples", kFirst = "first"; ///< no settings are called so
 
 /// The channels of an exact film: first those for the eye, then the words that are read back.
 constexpr int kColors = 3;
@@ -184,6 +184,15 @@ std::vector<SampleRange> parseRanges(std::string_view text) {
     return ranges;
 }
 
+/// The first sample of a picture that has `ranges`.
+uint32_t parseFirst(std::string_view text, const std::vector<SampleRange>& ranges) {
+    uint32_t first = 0;
+    if (!takeNumber(text, first) || !text.empty() || first > ranges.front().begin) {
+        throw damaged("its first sample makes no sense");
+    }
+    return first;
+}
+
 std::map<std::string, std::string> settingsOf(const OIIO::ImageSpec& spec) {
     std::map<std::string, std::string> settings;
     for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
@@ -267,6 +276,9 @@ std::string encodePart(const FilmPart& part) {
     spec.channelformats.assign(channels, OIIO::TypeDesc::UINT);
     std::fill_n(spec.channelformats.begin(), kColors, OIIO::TypeDesc::FLOAT);
     spec.attribute(kPrefix + kSamples, rangesText(part.ranges));
+    if (part.firstSample > 0) {
+        spec.attribute(kPrefix + kFirst, fmt::format("{}", part.firstSample));
+    }
     for (const auto& [name, value] : part.settings) spec.attribute(kPrefix + name, value);
 
     constexpr unsigned kBand = 16; // as many rows as ZIP compresses together
@@ -308,6 +320,7 @@ FilmPart readPart(const std::string& path) {
     const OIIO::ImageSpec& spec = decoder.spec();
     std::map<std::string, std::string> settings = settingsOf(spec);
     const auto samples = settings.extract(kSamples);
+    const auto first = settings.extract(kFirst);
     if (samples.empty())
         throw std::runtime_error(
             "it has no exact sums of samples: it is no .exr file that `wellstrat render` wrote");
@@ -317,6 +330,7 @@ FilmPart readPart(const std::string& path) {
     requireMemory(filmMemory(width, height), fmt::format("its {}x{} pixels", width, height));
 
     FilmPart part{Film(width, height), parseRanges(samples.mapped()), std::move(settings)};
+    if (!first.empty()) part.firstSample = parseFirst(first.mapped(), part.ranges);
     const std::vector<SampleRange*> unfinished = unfinishedRanges(spec, part);
     const std::vector<std::size_t> channels = channelsOf(spec, wordNames(part.ranges));
     const auto stride = static_cast<std::size_t>(spec.nchannels);

@@ -8,8 +8,9 @@
 //     sum.red.0 ... 3    uint    the words of PixelSums::color[0], the lowest first
 //     sum.green, sum.blue, sum.square   likewise
 //     count.BEGIN        uint    where a range of samples is unfinished: SampleRange::counts
-// and the attributes `wellstrat:samples`, such as "0:64 128:192", and `wellstrat:NAME` for each
-// setting. The same film gives the same bytes: there is no date.
+// and the attributes `wellstrat:samples`, such as "0:64 128:192", `wellstrat:first` where
+// FilmPart::firstSample is not 0, and `wellstrat:NAME` for each setting. The same film gives the
+// same bytes: there is no date.
 
 #pragma once
 

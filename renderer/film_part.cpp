@@ -83,6 +83,7 @@ void addPart(FilmPart& part, const FilmPart& other) {
     std::vector<SampleRange> ranges = unionOf(part.ranges, other.ranges);
     part.film.add(other.film);
     part.ranges = std::move(ranges);
+    part.firstSample = std::min(part.firstSample, other.firstSample);
 }
 
 std::string missingSamples(const FilmPart& part) {
@@ -90,7 +91,7 @@ std::string missingSamples(const FilmPart& part) {
     const auto say = [&text](const char* what, uint32_t begin, uint32_t end) {
         text += fmt::format("{}{} {}:{}", text.empty() ? "" : ", ", what, begin, end);
     };
-    uint32_t next = 0;
+    uint32_t next = part.firstSample;
     for (const SampleRange& range : part.ranges) {
         if (range.begin > next) say("samples", next, range.begin);
         next = range.end;

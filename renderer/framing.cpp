@@ -82,6 +82,25 @@ Camera lookAt(Float3 position, Float3 target, Float3 up, float verticalFov) {
     return camera;
 }
 
+Camera turned(const Camera& camera, Float3 center, Float3 axis, double degrees) {
+    if (!toUnitLength(axis))
+        throw std::invalid_argument(
+            "the axis that a camera turns about must have a length above 0");
+    degrees = std::fmod(degrees, 360);
+    if (degrees == 0) return camera;
+    const double angle = degrees * (3.14159265358979323846 / 180);
+    const auto cosine = static_cast<float>(std::cos(angle));
+    const auto sine = static_cast<float>(std::sin(angle));
+    const auto turn = [&](Float3 v) { // Rodrigues' formula
+        return v * cosine + Cross(axis, v) * sine + axis * (Dot(axis, v) * (1 - cosine));
+    };
+    Camera result = camera;
+    result.position = center + turn(camera.position - center);
+    result.forward = turn(camera.forward);
+    result.up = turn(camera.up);
+    return result;
+}
+
 Camera framingCamera(const Bounds& bounds, float aspect) {
     const Float3 center = bounds.center();
     const float halfAngle =

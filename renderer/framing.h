@@ -28,6 +28,11 @@ Camera lookAt(Float3 position, Float3 target, Float3 up, float verticalFov);
 /// The same, looking in a direction of any length above 0, focused at distance 1.
 Camera lookAlong(Float3 position, Float3 direction, Float3 up, float verticalFov);
 
+/// `camera` carried around the axis through `center` by `degrees`, counterclockwise as seen from
+/// the tip of `axis`. Whole turns change no bit. Throws std::invalid_argument for an axis that is 0
+/// or not finite.
+Camera turned(const Camera& camera, Float3 center, Float3 axis, double degrees);
+
 /// A camera that sees all of `bounds` in a picture of this width / height, from the front (+z), a
 /// little from the right and above, as product pictures do. Focused on the middle.
 Camera framingCamera(const Bounds& bounds, float aspect);

@@ -14,7 +14,8 @@ namespace wellstrat::render {
 
 namespace {
 
-/// A picture is a still.
+/// All pictures of a sequence, whose frames differ in their sampleids: together they are
+/// stratified.
 constexpr unsigned kFrame = 0;
 
 /// From this bounce on, paths may end by Russian roulette.

@@ -21,10 +21,13 @@ struct CameraSample {
     unsigned sampleid;
 };
 
-/// Traces paths through a scene, which must outlive this. Immutable; safe in any thread.
+/// Traces paths through a scene, which must outlive this. All but setCamera is safe in any thread.
 class Integrator {
 public:
     Integrator(const Scene& scene, unsigned width, unsigned height, const SamplingOptions& options);
+
+    /// Rays start from `camera` from now on. Not while `radiance` runs.
+    void setCamera(const PictureCamera& camera) { camera_ = camera; }
 
     /// Writes the radiance of `count` samples, at most kBatchSize, to `results`. Each depends on
     /// nothing but the scene, the options and the sample. `batch` is memory to work in. Returns the

@@ -69,13 +69,19 @@ Renderer::Renderer(const Scene& scene, unsigned width, unsigned height,
         throw std::invalid_argument("a picture has 1 to 65536 pixels in width and in height");
     }
     if (options.split < 1) throw std::invalid_argument("there is at least 1 light sample");
-    state_ = std::make_unique<const State>(scene, width, height, options);
+    state_ = std::make_unique<State>(scene, width, height, options);
 }
 
 Renderer::~Renderer() = default;
 
 unsigned Renderer::width() const { return state_->width; }
 unsigned Renderer::height() const { return state_->height; }
+
+void Renderer::setCamera(const Camera& camera) {
+    checkCamera(camera);
+    state_->integrator.setCamera({camera, state_->width, state_->height});
+}
+
 uint64_t Renderer::segments() const { return state_->segments; }
 
 void Renderer::render(const Pass& pass, Film& film, const std::atomic<bool>& stop,

@@ -17,7 +17,7 @@
 
 namespace wellstrat::render {
 
-/// Renders width x height pixels of `scene`. Immutable; all functions may run in any thread.
+/// Renders width x height pixels of `scene`. All functions but setCamera may run in any thread.
 class Renderer {
 public:
     /// Builds what rays need. The scene must outlive this and have a camera. Throws
@@ -29,6 +29,11 @@ public:
 
     unsigned width() const;
     unsigned height() const;
+
+    /// Renders from `camera` from now on, as if the scene had it, for the next picture of a
+    /// sequence: what rays need is not built anew. Not while another function runs. Throws
+    /// std::invalid_argument.
+    void setCamera(const Camera& camera);
 
     /// The samples of one pass. Pixel (x, y) takes those from firstSample + film.pixel(x, y).count
     /// up to endSample (exclusive): a film that was interrupted goes on where it stopped.
@@ -52,7 +57,7 @@ public:
 
 private:
     struct State;
-    std::unique_ptr<const State> state_;
+    std::unique_ptr<State> state_;
 };
 
 } // namespace wellstrat::render

@@ -23,21 +23,6 @@ bool isWithinReach(Float3 v) {
     return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}) <= kFarthest;
 }
 
-void checkCamera(const Camera& camera) {
-    require(isFinite(camera.position) && isWithinReach(camera.position),
-            "the position of the camera is not finite, or beyond 1e16");
-    require(std::fabs(camera.forward.LengthSq() - 1.0f) < 1e-3f &&
-                std::fabs(camera.up.LengthSq() - 1.0f) < 1e-3f &&
-                std::fabs(Dot(camera.forward, camera.up)) < 1e-3f,
-            "the camera's directions `forward` and `up` are not of length 1 and across each other");
-    require(camera.verticalFov > 0.0f && camera.verticalFov < 3.14159f,
-            "the camera's field of view is not between 0 and 180 degrees");
-    require(camera.lensRadius >= 0.0f && camera.lensRadius <= kFarthest,
-            "the radius of the camera's lens is not a number from 0 to 1e16");
-    require(camera.focusDistance > 0.0f && camera.focusDistance <= kFarthest,
-            "the camera's focus distance is not a number above 0 and at most 1e16");
-}
-
 bool isLight(Float3 color) {
     return isFinite(color) && color.x >= 0.0f && color.y >= 0.0f && color.z >= 0.0f;
 }
@@ -72,6 +57,21 @@ void checkMesh(const Mesh& mesh, std::size_t materials, const std::string& name)
 }
 
 } // namespace
+
+void checkCamera(const Camera& camera) {
+    require(isFinite(camera.position) && isWithinReach(camera.position),
+            "the position of the camera is not finite, or beyond 1e16");
+    require(std::fabs(camera.forward.LengthSq() - 1.0f) < 1e-3f &&
+                std::fabs(camera.up.LengthSq() - 1.0f) < 1e-3f &&
+                std::fabs(Dot(camera.forward, camera.up)) < 1e-3f,
+            "the camera's directions `forward` and `up` are not of length 1 and across each other");
+    require(camera.verticalFov > 0.0f && camera.verticalFov < 3.14159f,
+            "the camera's field of view is not between 0 and 180 degrees");
+    require(camera.lensRadius >= 0.0f && camera.lensRadius <= kFarthest,
+            "the radius of the camera's lens is not a number from 0 to 1e16");
+    require(camera.focusDistance > 0.0f && camera.focusDistance <= kFarthest,
+            "the camera's focus distance is not a number above 0 and at most 1e16");
+}
 
 void checkScene(const Scene& scene) {
     require(scene.camera.has_value(), "the scene has no camera");

@@ -12,4 +12,7 @@ namespace wellstrat::render {
 /// breaks what scene.h promises of numbers and lengths of arrays.
 void checkScene(const Scene& scene);
 
+/// The same for a camera.
+void checkCamera(const Camera& camera);
+
 } // namespace wellstrat::render

@@ -37,6 +37,9 @@ constexpr Scramble kTimeScramble = static_cast<Scramble>(0x13198a2eu);
 /// All this holds for each `seed`, which is for images of one frame with independent noise. Seed 0
 /// changes nothing; any other permutes the pixels before the frame does, with a key of its own. So
 /// a frame and a seed cannot stand for another frame with another seed.
+///
+/// Frames that are averaged over time do better in one pattern, with the same `frame` and sampleids
+/// that go on from frame to frame without gaps: docs/concepts.md, "Frames and passes".
 WELLSTRAT_HOST_DEVICE constexpr SampleCtx cameraContext(int x, int y, unsigned frame,
                                                         unsigned sampleid, unsigned seed = 0) {
     uint32_t pixel = (static_cast<uint32_t>(x) & 0xffffu) | (static_cast<uint32_t>(y) << 16);

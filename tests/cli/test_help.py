@@ -27,7 +27,7 @@ OPTIONS = {
     "render": ("-o", "--spp", "--generator", "--size", "--depth", "--split", "--distrib",
                "--time-limit", "--threads", "--seed", "--samples", "--checkpoint", "--save-every",
                "--resume", "--noise", "--environment", "--camera", "--look-at", "--up", "--fov",
-               "--lens-radius", "--focus", "--list"),
+               "--lens-radius", "--focus", "--frame", "--frames", "--orbit", "--list"),
     "merge": ("-o",),
     "compare": ("-o", "--generators", "--spp", "--reference", "--reference-spp", "--seeds", "--size",
                 "--keep-plot-files"),

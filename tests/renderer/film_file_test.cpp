@@ -74,12 +74,14 @@ void expectEqual(const FilmPart& a, const FilmPart& b) {
         EXPECT_EQ(a.ranges[i].counts, b.ranges[i].counts);
     }
     EXPECT_EQ(a.settings, b.settings);
+    EXPECT_EQ(a.firstSample, b.firstSample);
 }
 
 TEST(FilmFile, GivesBackAllBits) {
     FilmPart part = partOf(3, 9);
     part.film.pixel(1, 2).color[1] = ~FixedSum{0} / 3; // words of all sums at work
     part.film.pixel(1, 2).square = ~FixedSum{0} / 7;
+    part.firstSample = 2;
     const FilmPart read = readPart(File(encodePart(part)).path());
     expectEqual(read, part);
     EXPECT_EQ(read.ranges[0].begin, 3u);
@@ -162,6 +164,9 @@ TEST(FilmFile, OtherFilesAreRefused) {
     wrong = partOf(0, 4);
     wrong.ranges[0] = {4, 4, {}};
     EXPECT_NE(messageOf(encodePart(wrong)).find("damaged"), std::string::npos);
+    wrong = partOf(4, 8);
+    wrong.firstSample = 5;
+    EXPECT_NE(messageOf(encodePart(wrong)).find("its first sample"), std::string::npos);
 }
 
 /// Every byte of a small file changed: an error or a film, and never a crash.
@@ -205,6 +210,22 @@ TEST(FilmPart, SaysWhatIsMissing) {
     EXPECT_EQ(missingSamples(part), "samples 0:2");
     addPart(part, partOf(8, 12, 3, 9));
     EXPECT_EQ(missingSamples(part), "samples 0:2, samples 4:8, some samples of 9:12");
+}
+
+/// A frame lacks nothing of the frames before it, until it is added to one of them.
+TEST(FilmPart, FramesBeginWhereTheyBegin) {
+    FilmPart frame = partOf(12, 16), earlier = partOf(4, 7);
+    frame.firstSample = 12;
+    earlier.firstSample = 4;
+    EXPECT_EQ(missingSamples(frame), "");
+    frame.firstSample = 8;
+    EXPECT_EQ(missingSamples(frame), "samples 8:12");
+    for (const auto& [a, b] : {std::pair(frame, earlier), std::pair(earlier, frame)}) {
+        FilmPart sum = a;
+        addPart(sum, b);
+        EXPECT_EQ(sum.firstSample, 4u);
+        EXPECT_EQ(missingSamples(sum), "samples 7:12");
+    }
 }
 
 TEST(FilmPart, WhatDoesNotBelongTogetherIsRefused) {

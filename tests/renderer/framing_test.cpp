@@ -49,6 +49,41 @@ bool isSeen(const Camera& camera, float aspect, Float3 point) {
            std::abs(Dot(to, Cross(camera.forward, camera.up))) <= half * aspect;
 }
 
+/// A quarter turn, seen from above, takes a camera in front of the scene to its right, and what it
+/// showed of the axis stays where it is in the picture.
+TEST(Turned, CarriesTheCameraAroundTheAxis) {
+    Camera camera = lookAt({2, 3, 9}, {2, 1, 4}, {0, 1, 0}, 1);
+    camera.lensRadius = 0.5f;
+    const Float3 center(2, 0, 4);
+    const Camera quarter = turned(camera, center, {0, 7, 0}, 90);
+    const Camera expected = lookAt({7, 3, 4}, {2, 1, 4}, {0, 1, 0}, 1);
+    EXPECT_LT((quarter.position - expected.position).Length(), 1e-5f);
+    EXPECT_LT((quarter.forward - expected.forward).Length(), 1e-6f);
+    EXPECT_LT((quarter.up - expected.up).Length(), 1e-6f);
+    EXPECT_EQ(quarter.verticalFov, camera.verticalFov);
+    EXPECT_EQ(quarter.lensRadius, camera.lensRadius);
+    EXPECT_EQ(quarter.focusDistance, camera.focusDistance);
+    const Camera back = turned(quarter, center, {0, -1, 0}, 90);
+    EXPECT_LT((back.position - camera.position).Length(), 1e-5f);
+    EXPECT_LT((back.forward - camera.forward).Length(), 1e-6f);
+}
+
+TEST(Turned, WholeTurnsChangeNothing) {
+    const Camera camera = lookAt({0.1f, 0.2f, 0.3f}, {7, 1, 4}, {0, 1, 0}, 1);
+    for (const double degrees : {0.0, 360.0, -720.0, 360e6}) {
+        const Camera same = turned(camera, {3, 4, 5}, {1, 1, 0}, degrees);
+        EXPECT_EQ(same.position, camera.position);
+        EXPECT_EQ(same.forward, camera.forward);
+        EXPECT_EQ(same.up, camera.up);
+    }
+}
+
+TEST(Turned, RefusesNoAxis) {
+    const Camera camera = lookAt({0, 0, 5}, Float3(0.0f), {0, 1, 0}, 1);
+    EXPECT_THROW(turned(camera, Float3(0.0f), Float3(0.0f), 0), std::invalid_argument);
+    EXPECT_THROW(turned(camera, Float3(0.0f), {std::nanf(""), 1, 0}, 3), std::invalid_argument);
+}
+
 TEST(Framing, ShowsAllOfTheScene) {
     for (const float aspect : {0.2f, 0.5f, 1.0f, 1.5f, 4.0f}) {
         for (const Float3 size :

@@ -130,6 +130,28 @@ TEST_P(Exactness, AnyChoiceOfPixels) {
     expectSameBits(film, whole());
 }
 
+/// A sequence moves the camera of one renderer: the same bits as of a renderer for each frame.
+TEST(Renderer, TheCameraCanMove) {
+    const Scene before = builtinScene("lens");
+    Scene after = before;
+    after.camera = turned(*before.camera, {0, 1, 0}, {0, 1, 0}, 10);
+    Renderer renderer(before, 16, 16, {});
+    const auto render = [](const Renderer& by) {
+        Film film(16, 16);
+        by.render({0, 16, 0, 2}, film, kGoOn, ignore);
+        return film;
+    };
+    const Film first = render(renderer);
+    renderer.setCamera(*after.camera);
+    const Film second = render(renderer);
+    expectSameBits(second, render(Renderer(after, 16, 16, {})));
+    EXPECT_NE(first.mean(8, 8), second.mean(8, 8));
+    Camera broken = *after.camera;
+    broken.verticalFov = 4;
+    EXPECT_THROW(renderer.setCamera(broken), std::invalid_argument);
+    expectSameBits(render(renderer), second);
+}
+
 TEST(Renderer, CountsSamplesAndSegments) {
     Scene scene;
     addQuads(scene, {rectangle(Float3(0.0f), {0, 0, 1}, {1, 0, 0})},

@@ -70,8 +70,10 @@ std::map<std::string, std::string> imageSettings(const SceneOptions& options,
             {"distrib", options.distrib ? "yes" : "no"}};
 }
 
+uint64_t mostSamples(const SceneOptions& options) { return kMaxWord / options.split; }
+
 void checkSamples(const SceneOptions& options, const std::string& option, uint64_t samples) {
-    const uint64_t most = kMaxWord / options.split;
+    const uint64_t most = mostSamples(options);
     if (samples <= most) return;
     throw CliError(fmt::format("{}: a pixel has at most {} samples with --split {}, not {}", option,
                                most, options.split, samples));

@@ -45,8 +45,11 @@ std::map<std::string, std::string> imageSettings(const SceneOptions& options,
                                                  const std::string& fingerprint,
                                                  const std::string& generator);
 
-/// Throws CliError, which names `option`, if samples 0 to `samples` - 1 of a pixel would be more
-/// than there are: 2^32, shared by those that --split makes of each.
+/// How many samples a pixel has: 2^32 - 1, shared by those that --split makes of each.
+uint64_t mostSamples(const SceneOptions& options);
+
+/// Throws CliError, which names `option`, if samples 0 to `samples` - 1 of a pixel are more than
+/// mostSamples.
 void checkSamples(const SceneOptions& options, const std::string& option, uint64_t samples);
 
 } // namespace wellstrat::cli

@@ -29,6 +29,15 @@ void addSamples(CLI::App& command, std::optional<SampleSpan>& samples) {
         ->type_name("A:B");
 }
 
+void addFrames(CLI::App& command, RenderOptions& options) {
+    addNumber(command, "--frame", options.frame, {0, kMaxWord},
+              "Frame F of a sequence: its samples go on where those of F - 1 end [0]");
+    addNumber(command, "--frames", options.frames, {1, kMostFrames},
+              "As many frames, from --frame on; %04d in -o is their number [1]");
+    addReal(command, "--orbit", options.orbit, {-360, 360},
+            "Degrees around --look-at [the scene's middle] from frame to frame");
+}
+
 } // namespace
 
 void addRenderOptions(CLI::App& command, RenderOptions& options) {
@@ -45,6 +54,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("NAME");
     addNumber(command, "--spp", options.spp, {1, kMaxWord}, "Samples of each pixel [64]");
     addSamples(command, options.samples);
+    addFrames(command, options);
     addReal(command, "--noise", options.noise, {1e-6, 1e6},
             "Error at which pixels are good enough");
     addReal(command, "--time-limit", options.timeLimit, {0, 1e9}, "Seconds to render for");

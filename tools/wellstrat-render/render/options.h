@@ -15,10 +15,13 @@
 
 namespace wellstrat::cli {
 
-/// Samples begin to end - 1 of each pixel.
+/// Samples begin to end - 1 of each pixel of a picture.
 struct SampleSpan {
     uint32_t begin, end;
 };
+
+/// In one command.
+constexpr uint64_t kMostFrames = 100000;
 
 struct RenderOptions {
     SceneOptions scene;
@@ -26,6 +29,8 @@ struct RenderOptions {
     std::vector<std::string> outputs;
     std::optional<uint64_t> spp;
     std::optional<SampleSpan> samples;
+    std::optional<uint64_t> frame, frames; ///< the first one, and how many
+    std::optional<double> orbit;           ///< degrees of the camera's way from frame to frame
     std::optional<double> timeLimit, noise;
     std::optional<std::string> checkpoint, resume;
     uint64_t saveEvery = 30;

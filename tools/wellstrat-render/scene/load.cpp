@@ -27,6 +27,7 @@ namespace {
 
 constexpr unsigned kDefaultRows = 256;
 constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr Float3 kUp{0, 1, 0};
 
 render::Scene sceneOf(const std::string& name) {
     if (render::isBuiltinScene(name)) return render::builtinScene(name);
@@ -52,8 +53,8 @@ render::Camera placed(const SceneOptions& options, const render::Scene& scene,
     const Float3 position = options.position.value_or(old.position);
     const Float3 target = options.lookAt.value_or(
         options.position ? render::sceneBounds(scene).center() : focusPoint(old));
-    const Float3 up = options.up.value_or(Float3(0, 1, 0));
-    render::Camera camera = render::lookAt(position, target, up, old.verticalFov);
+    render::Camera camera =
+        render::lookAt(position, target, options.up.value_or(kUp), old.verticalFov);
     camera.lensRadius = old.lensRadius;
     camera.focusDistance = (target - position).Length();
     return camera;
@@ -114,6 +115,16 @@ render::Scene loadScene(const SceneOptions& options) {
                     "There is no camera: it stands in front of the scene.");
     }
     return scene;
+}
+
+render::Camera orbitedCamera(const SceneOptions& options, const render::Scene& scene,
+                             const render::Camera& camera, double degrees) {
+    const Float3 center = options.lookAt.value_or(render::sceneBounds(scene).center());
+    try {
+        return render::turned(camera, center, options.up.value_or(kUp), degrees);
+    } catch (const std::invalid_argument& error) {
+        throw CliError(fmt::format("--up: {}", error.what()));
+    }
 }
 
 ImageSize imageSize(const SceneOptions& options, const render::Scene& scene) {

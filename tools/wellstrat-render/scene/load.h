@@ -20,6 +20,11 @@ std::string sceneList();
 /// said. Throws std::runtime_error with one line.
 render::Scene loadScene(const SceneOptions& options);
 
+/// `camera` turned by `degrees` around --look-at, without it around the middle of the scene, about
+/// --up. Throws CliError.
+render::Camera orbitedCamera(const SceneOptions& options, const render::Scene& scene,
+                             const render::Camera& camera, double degrees);
+
 /// The size asked for, or 256 rows in the shape of the scene. Throws CliError if its film does not
 /// fit into memory.
 ImageSize imageSize(const SceneOptions& options, const render::Scene& scene);

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "picture.h"
+
+#include "common/command_line/errors.h"
+#include "common/command_line/options.h"
+#include "common/output/output_file.h"
+#include "frames.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace wellstrat::cli {
+namespace {
+
+void saveCheckpoint(const RenderOptions& options, uint64_t frame, const render::FilmPart& part) {
+    const std::optional<std::string> path = checkpointOf(options, frame);
+    if (!path) return;
+    ImageFiles file("--checkpoint", {*path});
+    file.write(part);
+    file.commit();
+}
+
+/// What `picture` has when its pixels have the samples of `film`.
+render::FilmPart partOf(const Picture& picture, render::Film film) {
+    render::FilmPart part = render::makePart(std::move(film), picture.plan.firstSample,
+                                             picture.plan.endSample, picture.part.settings);
+    part.firstSample = picture.part.firstSample;
+    return part;
+}
+
+/// The least and the most samples of a pixel, such as "64" or "16 to 64".
+std::string countText(const render::Film& film) {
+    uint32_t least = std::numeric_limits<uint32_t>::max(), most = 0;
+    for (const render::PixelSums& sums : film.pixels()) {
+        least = std::min(least, sums.count);
+        most = std::max(most, sums.count);
+    }
+    return least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
+}
+
+void sayInvalid(const render::Film& film) {
+    uint64_t invalid = 0;
+    for (const render::PixelSums& sums : film.pixels()) invalid += sums.invalid;
+    if (invalid == 0) return;
+    fmt::print(stderr, "wellstrat: {} samples were NaN or infinite and count as black\n", invalid);
+}
+
+/// What a run took, in all ranks together.
+struct RunCost {
+    double seconds;
+    uint64_t segments;
+};
+
+void sayDone(const RenderOptions& options, const Picture& picture, const render::Film& film,
+             const RunCost& cost) {
+    const std::string frame =
+        isSequence(options) ? fmt::format(", frame {}", picture.frame) : std::string();
+    printText(fmt::format(
+        "{}{}: {}x{} pixels, {} samples each, {:.2f} s, {:.2f} million path "
+        "segments a second\n",
+        oneLine(options.scene.scene), frame, film.width(), film.height(), countText(film),
+        cost.seconds, static_cast<double>(cost.segments) / cost.seconds * 1e-6));
+}
+
+void sayStopped(const RenderOptions& options, const Picture& picture, const render::Film& film,
+                RenderEnd end) {
+    const std::string frame =
+        isSequence(options) ? fmt::format(" in frame {}", picture.frame) : std::string();
+    fmt::print(stderr, "wellstrat: {}{} with {} of {} samples a pixel{}\n",
+               end == RenderEnd::interrupted ? "interrupted" : "time is up", frame, countText(film),
+               picture.plan.endSample - picture.plan.firstSample,
+               options.checkpoint || picture.files->keepSums() ? "; --resume goes on" : "");
+}
+
+/// What rank 0 does after the run.
+void finish(const RenderOptions& options, Picture& picture, RenderEnd end, const RunCost& cost) {
+    const render::FilmPart part = partOf(picture, std::move(picture.part.film));
+    if (end != RenderEnd::finished) saveCheckpoint(options, picture.frame, part);
+    picture.files->write(part);
+    picture.files->commit();
+    sayInvalid(part.film);
+    if (end == RenderEnd::finished) {
+        sayDone(options, picture, part.film, cost);
+    } else {
+        sayStopped(options, picture, part.film, end);
+    }
+}
+
+} // namespace
+
+void tryFiles(const RenderOptions& options, uint64_t frame) {
+    const ImageFiles files("--output", outputsOf(options, frame));
+    if (const std::optional<std::string> checkpoint = checkpointOf(options, frame)) {
+        requireSuffix("--checkpoint", *checkpoint, {".exr"});
+        const OutputFile trial(*checkpoint);
+    }
+}
+
+Picture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize size,
+                     const std::map<std::string, std::string>& settings, bool root) {
+    const SampleSpan span = samplesOf(options, frame);
+    const std::string label = isSequence(options) ? fmt::format("frame {}", frame) : "render";
+    render::FilmPart part{render::Film(size.width, size.height),
+                          {{span.begin, span.end, {}}},
+                          settings,
+                          firstSampleOf(options, frame)};
+    return {frame,
+            {span.begin, span.end, options.noise, options.timeLimit, label},
+            std::move(part),
+            root ? std::make_unique<ImageFiles>("--output", outputsOf(options, frame)) : nullptr};
+}
+
+void resumePicture(const RenderOptions& options, Picture& picture, render::FilmPart part) {
+    const auto refuse = [&options](const std::string& reason) {
+        return CliError(fmt::format("--resume: '{}' {}", *options.resume, reason));
+    };
+    const render::FilmPart& fresh = picture.part;
+    const std::string difference = render::differingSetting(part.settings, fresh.settings);
+    if (!difference.empty()) throw refuse("differs in: " + difference);
+    if (part.film.width() != fresh.film.width() || part.film.height() != fresh.film.height()) {
+        throw refuse(fmt::format("has {}x{} pixels, not {}x{}", part.film.width(),
+                                 part.film.height(), fresh.film.width(), fresh.film.height()));
+    }
+    const render::SampleRange& wanted = fresh.ranges.front();
+    if (part.ranges.size() > 1 || part.ranges.front().begin != wanted.begin) {
+        throw refuse(
+            fmt::format("does not have the samples from {} on, without gaps", wanted.begin));
+    }
+    uint32_t most = 0;
+    for (const render::PixelSums& sums : part.film.pixels()) most = std::max(most, sums.count);
+    if (most > wanted.end - wanted.begin) {
+        throw refuse(fmt::format("has {} samples already, more than asked for", most));
+    }
+    picture.part.film = std::move(part.film);
+}
+
+RenderEnd renderPicture(const RenderOptions& options, const render::Renderer& renderer,
+                        const Ranks& ranks, Picture& picture) {
+    const auto start = std::chrono::steady_clock::now();
+    const uint64_t segmentsBefore = renderer.segments();
+    std::optional<double> savePeriod;
+    if (options.checkpoint) savePeriod = static_cast<double>(options.saveEvery);
+    const RenderEnd end =
+        runRender(renderer, picture.plan, ranks, picture.part.film, savePeriod,
+                  [&](const render::Film& film) {
+                      saveCheckpoint(options, picture.frame, partOf(picture, film));
+                  });
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::vector<uint64_t> segments{renderer.segments() - segmentsBefore};
+    ranks.sumAtRoot(segments);
+    if (ranks.isRoot()) finish(options, picture, end, {seconds.count(), segments[0]});
+    return end;
+}
+
+} // namespace wellstrat::cli
