@@ -59,6 +59,7 @@ std::vector<render::Film> blurredCrops(const render::Film& film,
                                        const std::vector<render::GaussianBlur>& blurs,
                                        const Crop& crop) {
     std::vector<render::Film> crops;
+    crops.reserve(blurs.size());
     for (const render::GaussianBlur& blur : blurs) {
         crops.push_back(enlarged(render::blurred(film, blur), crop));
     }
