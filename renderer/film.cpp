@@ -84,6 +84,15 @@ float Film::standardError(unsigned x, unsigned y) const {
     return static_cast<float>(std::sqrt(std::max(variance, 0.0) / (sums.count - 1)));
 }
 
+std::vector<double> meansOf(const Film& film, int color) {
+    std::vector<double> means;
+    means.reserve(film.pixels().size());
+    for (unsigned y = 0; y < film.height(); ++y) {
+        for (unsigned x = 0; x < film.width(); ++x) means.emplace_back(film.mean(x, y)[color]);
+    }
+    return means;
+}
+
 bool operator==(const PixelSums& a, const PixelSums& b) {
     return std::equal(a.color, a.color + 3, b.color) && a.square == b.square &&
            a.count == b.count && a.invalid == b.invalid;

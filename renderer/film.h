@@ -77,6 +77,9 @@ private:
     std::vector<PixelSums> pixels_;
 };
 
+/// The means of one of the three colors, row by row.
+std::vector<double> meansOf(const Film& film, int color);
+
 /// Whether the sums are the same bits.
 bool operator==(const PixelSums& a, const PixelSums& b);
 inline bool operator!=(const PixelSums& a, const PixelSums& b) { return !(a == b); }

@@ -2,52 +2,34 @@
 
 #include "film_error.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <vector>
+#include <utility>
 
 namespace wellstrat::render {
 namespace {
 
 constexpr double kDark = 0.01;
 
-/// Weights of a Gaussian at distances 0, 1, ... in pixels; their scale is arbitrary.
-std::vector<double> blurWeights() {
-    std::vector<double> weights;
-    for (double x = 0; x <= 3 * kErrorBlur; ++x) {
-        weights.push_back(std::exp(-x * x / (2 * kErrorBlur * kErrorBlur)));
-    }
-    return weights;
-}
-
-/// Blurs `count` values that stand `stride` apart, in place. `line` is memory to work in.
-void blurLine(const std::vector<double>& weights, double* values, std::size_t count,
-              std::size_t stride, std::vector<double>& line) {
-    line.resize(count);
-    for (std::size_t i = 0; i < count; ++i) line[i] = values[i * stride];
-    const std::size_t reach = weights.size() - 1;
-    for (std::size_t i = 0; i < count; ++i) {
-        double sum = 0, weight = 0;
-        const std::size_t end = std::min(i + reach + 1, count);
-        for (std::size_t j = std::max(i, reach) - reach; j < end; ++j) {
-            const double w = weights[i > j ? i - j : j - i];
-            sum += w * line[j];
-            weight += w;
-        }
-        values[i * stride] = sum / weight;
+void checkSizes(const Film& film, const Film& reference, const PixelMask& mask) {
+    const auto differs = [&film](const auto& width, const auto& height) {
+        return width != film.width() || height != film.height();
+    };
+    if (differs(reference.width(), reference.height()) || differs(mask.width, mask.height)) {
+        throw std::invalid_argument("images of different sizes cannot be compared");
     }
 }
 
-/// A Gaussian is separable: rows, then columns.
-void blur(std::vector<double>& values, std::size_t width, std::size_t height) {
-    const std::vector<double> weights = blurWeights();
-    std::vector<double> line;
-    for (std::size_t y = 0; y < height; ++y) {
-        blurLine(weights, &values[y * width], width, 1, line);
+/// The differences of the means of a color, 0 for pixels that do not count.
+std::vector<double> differencesOf(const Film& film, const Film& reference, const PixelMask& mask,
+                                  int color) {
+    std::vector<double> differences = meansOf(film, color);
+    const std::vector<double> right = meansOf(reference, color);
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        differences[i] = mask.counts[i] ? differences[i] - right[i] : 0;
     }
-    for (std::size_t x = 0; x < width; ++x) blurLine(weights, &values[x], height, width, line);
+    return differences;
 }
 
 double sumOfSquares(const std::vector<double>& values) {
@@ -56,30 +38,52 @@ double sumOfSquares(const std::vector<double>& values) {
     return sum;
 }
 
+double sumOfRelativeSquares(const std::vector<double>& differences,
+                            const std::vector<double>& right) {
+    double sum = 0;
+    for (std::size_t i = 0; i < differences.size(); ++i) {
+        sum += differences[i] * differences[i] / (right[i] * right[i] + kDark);
+    }
+    return sum;
+}
+
 } // namespace
 
-FilmError filmError(const Film& film, const Film& reference) {
-    const unsigned width = film.width(), height = film.height();
-    if (reference.width() != width || reference.height() != height) {
-        throw std::invalid_argument("images of different sizes cannot be compared");
-    }
-    double squares = 0, relative = 0, filtered = 0;
-    std::vector<double> differences(std::size_t{width} * height);
+ErrorMeasure errorMeasure(PixelMask mask, const std::vector<double>& sigmas) {
+    ErrorMeasure measure{std::move(mask), {}};
+    for (const double sigma : sigmas) measure.blurs.emplace_back(sigma, measure.mask);
+    return measure;
+}
+
+FilmError filmError(const Film& film, const Film& reference, const ErrorMeasure& measure) {
+    checkSizes(film, reference, measure.mask);
+    const std::size_t pixels = countOf(measure.mask);
+    if (pixels == 0) throw std::invalid_argument("no pixel of the image counts");
+    double squares = 0, relative = 0;
+    std::vector<double> filtered(measure.blurs.size());
     for (int c = 0; c < 3; ++c) {
-        for (unsigned y = 0; y < height; ++y) {
-            for (unsigned x = 0; x < width; ++x) {
-                const double right{reference.mean(x, y)[c]};
-                const double d = double{film.mean(x, y)[c]} - right;
-                differences[std::size_t{y} * width + x] = d;
-                relative += d * d / (right * right + kDark);
-            }
-        }
+        const std::vector<double> differences = differencesOf(film, reference, measure.mask, c);
         squares += sumOfSquares(differences);
-        blur(differences, width, height);
-        filtered += sumOfSquares(differences);
+        relative += sumOfRelativeSquares(differences, meansOf(reference, c));
+        for (std::size_t k = 0; k < filtered.size(); ++k) {
+            std::vector<double> values = differences;
+            measure.blurs[k].apply(values);
+            filtered[k] += sumOfSquares(values);
+        }
     }
-    const double count = 3.0 * static_cast<double>(differences.size());
-    return {std::sqrt(squares / count), relative / count, std::sqrt(filtered / count)};
+    const double count = 3.0 * static_cast<double>(pixels);
+    for (double& sum : filtered) sum = std::sqrt(sum / count);
+    return {std::sqrt(squares / count), relative / count, std::move(filtered)};
+}
+
+FilmError filmError(const Film& film, const Film& reference) {
+    return filmError(film, reference, {allPixels(film.width(), film.height()), {}});
+}
+
+void addErrors(const Film& film, const Film& reference, const PixelMask& mask,
+               ImagePeriodogram& spectrum) {
+    checkSizes(film, reference, mask);
+    for (int c = 0; c < 3; ++c) spectrum.add(differencesOf(film, reference, mask, c));
 }
 
 } // namespace wellstrat::render

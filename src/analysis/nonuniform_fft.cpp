@@ -2,15 +2,12 @@
 
 #include "nonuniform_fft.h"
 
-#include <fftw3.h>
+#include "fourier_grid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
-#include <mutex>
-#include <new>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -22,53 +19,6 @@ constexpr double kPi = 3.14159265358979323846;
 /// digits (Greengard, Lee 2004, section 2).
 constexpr std::size_t kReach = 12;
 constexpr std::size_t kWidth = 2 * kReach;
-
-/// A real grid that is transformed in place.
-class FourierGrid {
-public:
-    explicit FourierGrid(std::size_t side)
-        : side_(side), rowLength_(2 * (side / 2 + 1)),
-          values_(fftw_alloc_real(side * rowLength_), fftw_free) {
-        if (!values_) throw std::bad_alloc();
-        std::fill_n(values_.get(), side * rowLength_, 0.0);
-    }
-
-    double* row(std::size_t y) { return values_.get() + y * rowLength_; }
-
-    void transform() {
-        auto* const out = reinterpret_cast<fftw_complex*>(values_.get());
-        const auto n = static_cast<int>(side_);
-        fftw_plan plan = nullptr;
-        {
-            const std::lock_guard<std::mutex> lock(planning());
-            plan = fftw_plan_dft_r2c_2d(n, n, values_.get(), out, FFTW_ESTIMATE);
-        }
-        if (plan == nullptr) throw std::bad_alloc();
-        fftw_execute(plan);
-        const std::lock_guard<std::mutex> lock(planning());
-        fftw_destroy_plan(plan);
-    }
-
-    /// After the transform, the value at a frequency.
-    std::complex<double> at(int fx, int fy) const {
-        // Kept are those with fx >= 0; the others are the conjugates of their opposites.
-        if (fx < 0) return std::conj(at(-fx, -fy));
-        const auto y =
-            fy < 0 ? side_ - static_cast<std::size_t>(-fy) : static_cast<std::size_t>(fy);
-        const double* value = values_.get() + y * rowLength_ + 2 * static_cast<std::size_t>(fx);
-        return {value[0], value[1]};
-    }
-
-private:
-    /// Of FFTW only the execution of plans is safe in several threads.
-    static std::mutex& planning() {
-        static std::mutex mutex;
-        return mutex;
-    }
-
-    std::size_t side_, rowLength_;
-    std::unique_ptr<double, void (*)(void*)> values_;
-};
 
 /// The part of a point's Gaussian that belongs to one axis.
 struct Spread {
@@ -110,7 +60,7 @@ std::vector<std::complex<double>> planeSums(const UnitPoints& points, int maxFre
         std::max<std::size_t>(2 * static_cast<std::size_t>(maxFrequency) + 2, kWidth);
     const std::size_t side = 2 * modes;
     const double tau = kPi * kReach / (static_cast<double>(modes * modes) * 2 * (2 - 0.5));
-    FourierGrid grid(side);
+    FourierGrid grid(side, side);
     for (std::size_t i = 0; i < points.count(); ++i) {
         addPoint(grid, side, Spread(points.coordinate(0)[i], side, tau),
                  Spread(points.coordinate(1)[i], side, tau));

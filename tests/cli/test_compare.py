@@ -4,6 +4,7 @@
 import unittest
 
 import numpy
+import PIL.Image
 
 import browser
 from support import CliTest
@@ -26,19 +27,20 @@ class CompareTest(CliTest):
         self.assertEqual(page.loaded, [])
         self.assertLess(page.width, 1300)
         self.assertEqual(page.headings, ["spherelight: generators compared", "Reference", "Errors",
-                                         "Side by side", "How to make this again"])
-        self.assertEqual(len(page.images), 1 + 1 + 3 * 3)
+                                         "Spectra", "Side by side", "How to make this again"])
+        self.assertEqual(len(page.images), 1 + 2 + 3 * 2 * 3)
         for image in page.images:
             self.assertGreater(image.naturalWidth, 0, image.alt)
-        self.assertIn("--reference-spp 256", page.text)
+        self.assertIn("--reference-spp 256 --filter 2 -o", page.text)
 
-        (header, *rows), = page.tables
-        self.assertEqual(header, ["generator", "samples", "RMSE", "relative MSE", "filtered RMSE",
+        ratios, (header, *rows) = page.tables
+        self.assertEqual(header, ["generator", "samples", "RMSE", "relative MSE", "RMSE at 2px",
                                   "seconds", "samples of random"])
         self.assertEqual([(row[0], int(row[1])) for row in rows], ROWS)
         # What is printed says the same.
         for line, row in zip(printed[2:], rows):
             self.assertEqual([float(x) for x in line.split()[1:]], numbers(row))
+        self.assertEqual([line.split() for line in printed[-2:]], ratios[1:])
         table = {(row[0], int(row[1])): numbers(row)[1:] for row in rows}
         for samples in (1, 4, 16):
             self.assertAlmostEqual(table["random", samples][4], samples, delta=0.11)
@@ -49,6 +51,12 @@ class CompareTest(CliTest):
         # A blur lowers errors that are not correlated.
         for rmse, _, filtered, _, _ in table.values():
             self.assertLess(filtered, 0.7 * rmse)
+        self.assertEqual(ratios[0], ["generator", "filter", "1 sample", "4 samples", "16 samples"])
+        for (_, name, *cells), column in zip(ratios[1:], (0, 2)):
+            self.assertEqual(name, {0: "none", 2: "2px"}[column])
+            for samples, cell in zip((1, 4, 16), cells):
+                ratio = table["pmj", samples][column] / table["random", samples][column]
+                self.assertAlmostEqual(float(cell), ratio, delta=0.0011)
 
     def test_crops_show_the_noise(self):
         """Guards against pictures under wrong names: the more samples, the nearer the reference."""
@@ -66,6 +74,11 @@ class CompareTest(CliTest):
             few, many = (difference(generator, n) for n in ("1 sample", "16 samples"))
             self.assertTrue(0 < many < 0.6 * few, (generator, few, many))
         self.assertLess(difference("pmj", "16 samples"), difference("random", "16 samples"))
+        filtered = pixels["The same part of the reference, filtered at 2px"]
+        self.assertGreater(numpy.abs(filtered - reference).mean(), 1)
+        for generator in ("pmj", "random"):
+            image = pixels[f"{generator}, 1 sample of each pixel, filtered at 2px"]
+            self.assertLess(numpy.abs(image - filtered).mean(), 0.6 * difference(generator, "1 sample"))
 
     def test_reference_from_file(self):
         self.output_of("render", *SCENE, "--seed", "7", "--spp", "256", "-o", "ref.exr")
@@ -93,7 +106,9 @@ class CompareTest(CliTest):
         self.assertEqual(self.files(), ["c.html"])
         page = browser.open_page(self.path("c.html"))
         self.assertIn("there are no error curves", page.text)
-        self.assertEqual(len(page.images), 1 + 2 * 3)
+        self.assertNotIn("Spectra", page.headings)
+        self.assertEqual(len(page.images), 1 + 2 * 2 * 3)
+        self.assertEqual(page.tables[0][1:], [["pmj", "none", "-", "-"], ["pmj", "2px", "-", "-"]])
 
     def test_errors_from_seeds(self):
         """With --seeds there is no reference, and the errors are those against one."""
@@ -103,9 +118,9 @@ class CompareTest(CliTest):
         against_reference = self.output_of(*same, "--reference-spp", "4096").decode().splitlines()
         self.assertIn("its 6 seeds", by_seeds[0])
         self.assertIn("--seeds 6", page.text)
-        (header, *rows), = page.tables
-        self.assertEqual(header[-2:], ["+- RMSE", "+- filtered"])
-        self.assertEqual(len(by_seeds), 2 + 6)
+        _, (header, *rows) = page.tables
+        self.assertEqual(header[-2:], ["+- RMSE", "+- at 2px"])
+        self.assertEqual(len(by_seeds), 2 + 6 + 3 + 4)
         for line, other, row in zip(by_seeds[2:], against_reference[2:], rows):
             self.assertEqual([float(x) for x in line.split()[1:]], numbers(row))
             rmse, relative, filtered, *_, rmse_error, filtered_error = numbers(row)[1:]
@@ -121,8 +136,108 @@ class CompareTest(CliTest):
 
     def test_plot_files(self):
         self.output_of(*COMPARE, "--keep-plot-files")
-        self.assertEqual(self.files(), ["c-errors.dat", "c-errors.gp", "c-errors.svg", "c.html"])
+        self.assertEqual(self.files(), ["c-errors.dat", "c-errors.gp", "c-errors.svg",
+                                        "c-spectra.dat", "c-spectra.gp", "c-spectra.svg", "c.html"])
         self.assertEqual(self.read("c-errors.dat").count(b"# curve"), 2)
+        self.assertEqual(self.read("c-spectra.dat").count(b"# curve"), 2 * 3)
+
+    def test_filters(self):
+        """One after the other, sorted; that of a tenth of a pixel changes nothing."""
+        counts = (1, 2, 3, 6)
+        lines = self.output_of(*COMPARE[:-6], "--spp", "1,2,3,6", "--reference-spp", "256", "-o",
+                               "c.html", "--filter", "4,0.1", "--filter", "1", "--generators",
+                               "pmj,joint,random").decode().splitlines()
+        self.assertEqual(lines[1].split("MSE")[-1].split()[:6], ["at", "0.1px", "at", "1px", "at",
+                                                                 "4px"])
+        rows = [line.split() for line in lines[2:14]]
+        self.assertEqual([(row[0], int(row[1])) for row in rows],
+                         [(name, n) for name in ("pmj", "joint", "random") for n in counts])
+        for _, _, rmse, _, *filtered, _, _ in rows:
+            self.assertEqual(filtered[0], rmse)
+            self.assertTrue(float(filtered[2]) < float(filtered[1]) < float(rmse))
+        self.assertEqual([tuple(line.split()[:2]) for line in lines[17:]],
+                         [(name, after) for name in ("pmj", "joint")
+                          for after in ("none", "0.1px", "1px", "4px")])
+        alts = [image.alt for image in browser.open_page(self.path("c.html")).images]
+        for name in ("pmj", "joint", "random"):
+            self.assertIn(f"{name}, 3 samples of each pixel", alts)
+            self.assertIn(f"{name}, 3 samples of each pixel, filtered at 4px", alts)
+
+    def test_spectra(self):
+        """Random samples have white noise. In 40 x 30 pixels it is known to a tenth, but three
+        colors that know of each other and pixels that are brighter count for less than their
+        number; 0.4 is four times what other seeds show."""
+        self.output_of(*COMPARE, "--keep-plot-files")
+        sets = self.read("c-spectra.dat").decode().split("# curve")[1:]
+        self.assertEqual([int(one.split()[0]) for one in sets], list(range(6)))
+        for place, one in enumerate(sets):
+            rings = numpy.array([line.split() for line in one.split("\n")[1:] if line], float)
+            numpy.testing.assert_allclose(rings[:, 0], numpy.arange(1, 16) / 30, rtol=1e-8)
+            self.assertTrue((rings[:, 1] > 0).all())
+            if place % 2 == 1:  # random
+                mean = numpy.average(rings[:, 1], weights=rings[:, 0])
+                self.assertAlmostEqual(mean, 1, delta=0.4)
+
+    def mean_square(self, *mask):
+        """(The first line about the mask, the mean squared errors of pmj with 1 and 4 samples.)"""
+        lines = self.output_of("compare", *SCENE, "--generators", "pmj", "--spp", "1,4",
+                               "--reference", "ref.exr", "-o", "c.html", *mask).decode().splitlines()
+        return lines[1], numpy.array([float(line.split()[2]) ** 2 for line in lines[-2:]])
+
+    def save_mask(self, name, value, size=(40, 30)):
+        """A picture with value(x, y), from 0 to 255."""
+        picture = PIL.Image.new("L", size)
+        picture.putdata([value(x, y) for y in range(size[1]) for x in range(size[0])])
+        picture.save(self.path(name))
+
+    def test_masks(self):
+        """Mean squares over two parts, by their sizes, are that over all pixels."""
+        self.output_of("render", *SCENE, "--seed", "7", "--spp", "256", "-o", "ref.exr")
+        self.save_mask("left.png", lambda x, y: 1 if x < 10 else 0)
+        self.save_mask("right.png", lambda x, y: 255 if x >= 10 else 0)
+        _, everywhere = self.mean_square()
+        said, left = self.mean_square("--mask", "left.png")
+        self.assertEqual(said, "errors of 25.0 % of the pixels, those that are not black in "
+                               "left.png")
+        self.assertIn("--mask 'left.png'", browser.open_page(self.path("c.html")).text)
+        _, right = self.mean_square("--mask", "right.png")
+        numpy.testing.assert_allclose(0.25 * left + 0.75 * right, everywhere, rtol=1e-3)
+
+        said, smooth = self.mean_square("--mask", "smooth")
+        share = float(said.split()[2])
+        self.assertTrue(2 < share < 90, share)
+        self.assertTrue((smooth < everywhere).all())
+        page = browser.open_page(self.path("c.html"))
+        white, = (image for image in page.images if image.alt == "The pixels that count")
+        self.assertAlmostEqual(100 * (page.pixels_of(white)[1:-1, 1:-1] > 127).mean(), share, delta=6)
+
+    def test_smooth_areas_by_seeds(self):
+        """They are those of a reference that serves for nothing else: of the same one, whatever is
+        compared, and none of the images decides which of its pixels count."""
+        same = (*SCENE, "--spp", "1,16", "-o", "c.html", "--reference-spp", "512", "--mask", "smooth")
+        mask = self.output_of("compare", *same).decode().splitlines()[1]
+        self.assertRegex(mask, "errors of .* % of the pixels, the smooth areas of pmj, twice 256")
+        by_seeds = self.output_of("compare", *same, "--seeds", "4").decode().splitlines()
+        self.assertIn("its 4 seeds", by_seeds[0])
+        self.assertEqual(by_seeds[1], mask)
+        alone = self.output_of("compare", *same, "--seeds", "4", "--generators",
+                               "random").decode().splitlines()
+        self.assertEqual(alone[1], mask)
+        self.assertEqual(alone[3].split()[:5], by_seeds[5].split()[:5])
+        self.assertIn("--seeds 4 --reference-spp 512 --filter 2 --mask 'smooth'",
+                      browser.open_page(self.path("c.html")).text)
+
+    def test_bad_masks(self):
+        self.save_mask("black.png", lambda x, y: 0)
+        self.save_mask("small.png", lambda x, y: 1, (40, 29))
+        with open(self.path("text.png"), "w", encoding="ascii") as file:
+            file.write("no picture")
+        for mask, mentions in (("none.png", "none.png"), ("text.png", "text.png"),
+                               ("black.png", "no pixel would count"), ("small.png", "40x29")):
+            self.assert_fails(*COMPARE, "--mask", mask, mentions=mentions)
+        # The noise of two samples is nowhere smooth.
+        self.assert_fails("compare", "lens", "--size", "24x18", "--spp", "1", "--reference-spp",
+                          "2", "-o", "c.html", "--mask", "smooth", mentions="smooth")
 
     def test_bad_arguments(self):
         for arguments, mentions in (
@@ -131,6 +246,11 @@ class CompareTest(CliTest):
                 (("nothing", "-o", "c.html"), "nothing"),
                 ((*SCENE, "-o", "c.html", "--spp", "0"), "--spp"),
                 ((*SCENE, "-o", "c.html", "--spp", "1,x"), "--spp"),
+                ((*SCENE, "-o", "c.html", "--filter", "0"), "--filter"),
+                ((*SCENE, "-o", "c.html", "--filter", "-1"), "--filter"),
+                ((*SCENE, "-o", "c.html", "--filter", "2,101"), "from 0.1 to 100"),
+                ((*SCENE, "-o", "c.html", "--filter", "nan"), "--filter"),
+                ((*SCENE, "-o", "c.html", "--filter", "2x"), "--filter"),
                 ((*SCENE, "-o", "c.html", "--generators", "pmj,sobl"), "sobl"),
                 ((*SCENE, "-o", "c.html", "--reference-spp", "0"), "--reference-spp"),
                 ((*SCENE, "-o", "c.html", "--reference-spp", "9", "--reference", "r.exr"),

@@ -29,7 +29,7 @@ OPTIONS = {
                "--resume", "--noise", "--environment", "--camera", "--look-at", "--up", "--fov",
                "--lens-radius", "--focus", "--frame", "--frames", "--orbit", "--list"),
     "merge": ("-o",),
-    "compare": ("-o", "--generators", "--spp", "--reference", "--reference-spp", "--seeds", "--size",
+    "compare": ("-o", "--generators", "--spp", "--filter", "--mask", "--reference", "--reference-spp", "--seeds", "--size",
                 "--keep-plot-files"),
     "domains": ("-o", "--generators", "--spp", "--seeds", "--size", "--depth"),
 }

@@ -43,6 +43,16 @@ bool parseNumber(std::string_view text, NumberRange range, uint64_t& value) {
     return true;
 }
 
+bool parseReal(std::string_view text, RealRange range, double& value) {
+    const char* const end = text.data() + text.size();
+    double number = 0;
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || stop != end) return false;
+    if (!(number >= range.min && number <= range.max)) return false;
+    value = number;
+    return true;
+}
+
 CLI::Option* addNumber(CLI::App& command, const std::string& flags, uint64_t& value,
                        NumberRange range, const std::string& description) {
     return addParsed(command, flags, value, range, description);
@@ -56,10 +66,8 @@ CLI::Option* addNumber(CLI::App& command, const std::string& flags, std::optiona
 CLI::Option* addReal(CLI::App& command, const std::string& flags, std::optional<double>& value,
                      RealRange range, const std::string& description) {
     const auto read = [&value, flags, range](const std::string& text) {
-        const char* const end = text.data() + text.size();
         double number = 0;
-        const auto [stop, error] = std::from_chars(text.data(), end, number);
-        if (error != std::errc() || stop != end || !(number >= range.min && number <= range.max)) {
+        if (!parseReal(text, range, number)) {
             throw CLI::ValidationError(
                 flags, fmt::format("not a number from {} to {}: '{}'", range.min, range.max, text));
         }

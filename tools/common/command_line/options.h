@@ -39,6 +39,10 @@ struct RealRange {
     double min, max;
 };
 
+/// Reads `text`, a decimal number and nothing else, into `value`. Returns whether that worked and
+/// the number is in `range`; if not, `value` is unchanged.
+bool parseReal(std::string_view text, RealRange range, double& value);
+
 /// Adds an option that takes one decimal number of `range`.
 CLI::Option* addReal(CLI::App& command, const std::string& flags, std::optional<double>& value,
                      RealRange range, const std::string& description);

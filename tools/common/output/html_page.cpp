@@ -38,6 +38,7 @@ figure { margin: 1.25rem 0 1.75rem; }
 .pictures img { display: block; height: auto; max-width: 100%; border: 1px solid var(--line);
   border-radius: 6px; background: #fff; }
 .columns-2 img { width: calc(50% - .5rem); min-width: 20rem; }
+.columns-4 img { width: calc(25% - .75rem); min-width: 12rem; }
 .columns-3 img { width: calc(33.33% - .667rem); min-width: 17rem; }
 figcaption, caption { color: var(--soft); font-size: .93rem; max-width: 52rem; }
 figcaption { margin-top: .6rem; }

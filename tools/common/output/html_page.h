@@ -27,7 +27,7 @@ struct HtmlPicture {
     std::string bytes;       ///< of a PNG or SVG file
 };
 
-/// Pictures over one caption, up to `columns`, 1 to 3, of them beside each other where the window
+/// Pictures over one caption, up to `columns`, 1 to 4, of them beside each other where the window
 /// is wide enough.
 struct HtmlFigure {
     std::vector<HtmlPicture> pictures;

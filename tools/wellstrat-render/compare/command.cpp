@@ -8,10 +8,13 @@
 #include "common/command_line/options.h"
 #include "common/command_line/render_commands.h"
 #include "common/ranks/run_on_ranks.h"
+#include "figures.h"
 #include "image/files.h"
 #include "image/run.h"
+#include "page.h"
 #include "run.h"
 #include "scene/load.h"
+#include "table.h"
 
 #include "renderer/scene_fingerprint.h"
 
@@ -28,21 +31,30 @@ namespace {
 
 constexpr auto kExamples =
     R"(Renders the scene with each generator, and reports the error against a reference at the numbers of
-samples in --spp: RMSE, relative MSE, RMSE after a Gaussian blur, time, and how many random samples
-would do the same. The reference is rendered with other seeds, so that its noise is independent; one
-from `wellstrat render` can be used again and again. With --seeds N there is none: every image is
+samples in --spp: RMSE, relative MSE, RMSE after the Gaussians of --filter, time, and how many
+random samples would do the same; then the errors relative to those of random samples. The page has
+pictures as they are and filtered, and spectra: whether the noise is white, or blue and so easy to
+filter. The reference is rendered with other seeds, so that its noise is independent; one from
+`wellstrat render` can be used again and again. With --seeds N there is none: every image is
 rendered with N seeds, and as the samples are right on average, the spread of the N is the error.
+
+With --mask only some pixels count, the same for all generators. `smooth` are those around which, in
+5x5 pixels of the reference, (max - min) / (max + min + 0.02) is at most 0.1 in each color: at
+silhouettes few pixels decide about the error. With --seeds the reference serves for that alone. Of
+a picture FILE it is the pixels that are not black.
 
 Examples:
   wellstrat compare cornell -o cornell.html
   wellstrat compare veach --spp 1,4,16,64 --reference-spp 1024 --size 128x96 -o veach.html
   wellstrat compare lens --generators pmj,joint --seeds 8 --size 96x64 -o lens.html
+  wellstrat compare lens --spp 1,2,3,4,8,16 --filter 1,2 --mask smooth -o lens.html
   wellstrat render lens --seed 1 --spp 16384 -o lens.exr
   wellstrat compare lens --reference lens.exr --generators pmj,random -o lens.html
 
 Exit codes: 0 done, 2 error, 130 interrupted.
 )";
 
+constexpr RealRange kSigmas{0.1, 100}; ///< in pixels
 constexpr uint64_t kMostSeeds = 255; ///< with kMostMeasuredSamples, less than 2^32 samples in a sum
 
 render::FilmPart readReference(const CompareOptions& options, const std::string& fingerprint,
@@ -77,10 +89,38 @@ void checkMemory(const CompareOptions& options, ImageSize size) {
                   fmt::format("{} images of {}x{} pixels", images, size.width, size.height));
 }
 
+/// The pixels of a file that count.
+render::PixelMask readMask(const std::string& path, ImageSize size) {
+    const auto refuse = [&path](const std::string& reason) {
+        return CliError(fmt::format("--mask: '{}' {}", path, reason));
+    };
+    try {
+        render::PixelMask mask = render::readMask(path);
+        if (mask.width != size.width || mask.height != size.height) {
+            throw refuse(fmt::format("has {}x{} pixels, not {}x{}", mask.width, mask.height,
+                                     size.width, size.height));
+        }
+        if (countOf(mask) == 0) throw refuse("is black: no pixel would count");
+        return mask;
+    } catch (const CliError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw refuse(fmt::format("cannot be read: {}", error.what()));
+    }
+}
+
 CompareJob prepare(const CompareOptions& options, bool root) {
     for (const std::string& name : options.generators) renderGenerator(name);
     checkSamples(options.scene, "--spp", options.spp.back());
-    if (!options.seeds) checkSamples(options.scene, "--reference-spp", referenceSamples(options));
+    const bool isSmooth = options.mask == kSmoothMask;
+    if (options.seeds && !isSmooth && (options.reference || options.referenceSpp)) {
+        throw CliError(
+            "--seeds: errors need no reference, so --reference and --reference-spp go with "
+            "it for --mask smooth only");
+    }
+    if (!options.seeds || isSmooth) {
+        checkSamples(options.scene, "--reference-spp", referenceSamples(options));
+    }
     requireSuffix("--output", options.output, {".html"});
     CompareJob job;
     if (root) {
@@ -88,12 +128,14 @@ CompareJob prepare(const CompareOptions& options, bool root) {
         if (options.keepPlotFiles) {
             const std::string stem = options.output.substr(0, options.output.rfind('.'));
             job.curves = std::make_unique<Picture>("--output", stem + "-errors.svg", true);
+            job.spectra = std::make_unique<Picture>("--output", stem + "-spectra.svg", true);
         }
     }
     job.scene = std::make_unique<render::Scene>(loadScene(options.scene));
     if (root) sayNotes(*job.scene);
     job.size = imageSize(options.scene, *job.scene);
     checkMemory(options, job.size);
+    if (options.mask && !isSmooth) job.mask = readMask(*options.mask, job.size);
     if (options.reference) {
         job.reference = readReference(options, render::sceneFingerprint(*job.scene), job.size);
     }
@@ -102,63 +144,94 @@ CompareJob prepare(const CompareOptions& options, bool root) {
 }
 
 std::string referenceArguments(const CompareOptions& options) {
-    if (options.seeds) return fmt::format("--seeds {}", *options.seeds);
-    if (options.reference) return "--reference " + shellWord(*options.reference);
-    return fmt::format("--reference-spp {}", referenceSamples(options));
+    std::string arguments;
+    if (options.seeds) {
+        arguments = fmt::format("--seeds {}", *options.seeds);
+        if (options.mask != kSmoothMask) return arguments;
+        arguments += ' ';
+    }
+    if (options.reference) return arguments + "--reference " + shellWord(*options.reference);
+    return arguments + fmt::format("--reference-spp {}", referenceSamples(options));
 }
 
 std::string commandOf(const CompareOptions& options, ImageSize size) {
-    return fmt::format("wellstrat compare {} --generators {} --spp {} {} -o {}",
-                       sceneArguments(options.scene, size), fmt::join(options.generators, ","),
-                       fmt::join(options.spp, ","), referenceArguments(options),
-                       shellWord(options.output));
+    return fmt::format(
+        "wellstrat compare {} --generators {} --spp {} {} --filter {}{} -o {}",
+        sceneArguments(options.scene, size), fmt::join(options.generators, ","),
+        fmt::join(options.spp, ","), referenceArguments(options), fmt::join(options.filters, ","),
+        options.mask ? " --mask " + shellWord(*options.mask) : "", shellWord(options.output));
+}
+
+/// Draws with `picture`, which is kept, or only for the page.
+std::string drawFor(const std::unique_ptr<Picture>& picture, const Plot& plot) {
+    return picture ? picture->draw(plot) : drawPlot(plot, ".svg").picture;
 }
 
 int run(const CompareOptions& options, const Ranks& ranks, CompareJob& job) {
-    Comparison comparison{oneLine(options.scene.scene),
-                          {render::Film(job.size.width, job.size.height), "", {}},
-                          {0, 0, 0, 0},
-                          {}};
+    Comparison comparison(oneLine(options.scene.scene), job.size.width, job.size.height);
     if (!renderComparison(options, job, ranks, comparison)) {
         if (ranks.isRoot()) fmt::print(stderr, "wellstrat: interrupted\n");
         return kExitInterrupted;
     }
     if (!ranks.isRoot()) return 0;
-    std::string figure;
+    CompareFigures figures;
     if (hasErrors(comparison)) {
-        const Plot plot = compareFigure(comparison);
-        figure = job.curves ? job.curves->draw(plot) : drawPlot(plot, ".svg").picture;
+        figures = {drawFor(job.curves, errorFigure(comparison)),
+                   drawFor(job.spectra, spectrumFigure(comparison))};
     } else {
         job.curves.reset();
+        job.spectra.reset();
     }
-    job.file->write(comparePage(comparison, figure, commandOf(options, job.size)));
+    job.file->write(comparePage(comparison, figures, commandOf(options, job.size)));
     job.file->commit();
-    if (job.curves) job.curves->commit();
+    for (const auto* picture : {&job.curves, &job.spectra}) {
+        if (*picture) (*picture)->commit();
+    }
     printText(compareTable(comparison));
     return 0;
 }
 
-void addCounts(CLI::App& command, std::vector<uint32_t>& counts) {
-    const auto read = [&counts](const std::vector<std::string>& texts) {
-        counts.clear();
+/// Adds an option that takes a list of numbers, which are sorted. `read` makes a number of a text,
+/// or returns false.
+template <typename Number, typename Read>
+CLI::Option* addList(CLI::App& command, const std::string& name, std::vector<Number>& numbers,
+                     const std::string& accepted, const Read& read) {
+    const auto readAll = [&numbers, name, accepted, read](const std::vector<std::string>& texts) {
+        numbers.clear();
         for (const std::string& text : texts) {
-            uint64_t count = 0;
-            if (!parseNumber(text, {1, kMostMeasuredSamples}, count)) {
-                throw CLI::ValidationError("--spp",
-                                           fmt::format("not a whole number from 1 to {}: '{}'",
-                                                       kMostMeasuredSamples, text));
+            Number number{};
+            if (!read(text, number)) {
+                throw CLI::ValidationError(name, fmt::format("not {}: '{}'", accepted, text));
             }
-            counts.push_back(static_cast<uint32_t>(count));
+            numbers.push_back(number);
         }
-        std::sort(counts.begin(), counts.end());
-        counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+        std::sort(numbers.begin(), numbers.end());
+        numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     };
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--spp", read, "Numbers of samples of each pixel [1,4,16,64,256,1024]")
+    return command.add_option_function<std::vector<std::string>>(name, readAll)
         ->delimiter(',')
-        ->allow_extra_args(false)
+        ->allow_extra_args(false);
+}
+
+void addCounts(CLI::App& command, std::vector<uint32_t>& counts) {
+    addList(command, "--spp", counts,
+            fmt::format("a whole number from 1 to {}", kMostMeasuredSamples),
+            [](const std::string& text, uint32_t& count) {
+                uint64_t number = 0;
+                const bool isRead = parseNumber(text, {1, kMostMeasuredSamples}, number);
+                count = static_cast<uint32_t>(number);
+                return isRead;
+            })
+        ->description("Numbers of samples of each pixel [1,4,16,64,256,1024]")
         ->type_name("N,N");
+}
+
+void addFilters(CLI::App& command, std::vector<double>& filters) {
+    addList(command, "--filter", filters,
+            fmt::format("a number from {} to {}", kSigmas.min, kSigmas.max),
+            [](const std::string& text, double& sigma) { return parseReal(text, kSigmas, sigma); })
+        ->description("Errors after Gaussians of these standard deviations, in pixels [2]")
+        ->type_name("SIGMA,SIGMA");
 }
 
 } // namespace
@@ -170,6 +243,11 @@ void addCompare(CLI::App& app, int& exitCode) {
     addRenderGenerators(*command, options->generators,
                         "What is compared: pmj, joint, random [pmj,random]");
     addCounts(*command, options->spp);
+    addFilters(*command, options->filters);
+    command
+        ->add_option("--mask", options->mask,
+                     "Which pixels count: smooth, or those of a picture that are not black [all]")
+        ->type_name("smooth|FILE");
     CLI::Option* const reference =
         command
             ->add_option("--reference", options->reference,
@@ -179,14 +257,12 @@ void addCompare(CLI::App& app, int& exitCode) {
               "Samples of the reference [8 times the most of --spp]")
         ->excludes(reference);
     addNumber(*command, "--seeds", options->seeds, {2, kMostSeeds},
-              "No reference: errors from the spread of images of N seeds, from --seed on")
-        ->excludes(reference)
-        ->excludes("--reference-spp");
+              "No reference: errors from the spread of images of N seeds, from --seed on");
     command->add_option("-o,--output", options->output, "The page: FILE.html")
         ->required()
         ->type_name("FILE");
     command->add_flag("--keep-plot-files", options->keepPlotFiles,
-                      "Keep the error curves: FILE-errors.svg, .dat and .gp");
+                      "Keep the curves: FILE-errors and FILE-spectra, .svg, .dat and .gp");
     command->footer(kExamples);
     command->callback([options, &exitCode] {
         exitCode = runOnRanks(

@@ -6,26 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 namespace wellstrat::cli {
 namespace {
-
-constexpr unsigned kCropSize = 96;
-constexpr unsigned kEnlargement = 4;
-constexpr double kDark = 0.01; ///< as in the relative MSE
-
-double clampedDifference(const render::Film& film, const render::Film& reference, unsigned x,
-                         unsigned y) {
-    const Float3 a = film.mean(x, y), b = reference.mean(x, y);
-    double sum = 0;
-    for (int c = 0; c < 3; ++c) {
-        const double right{b[c]}, d = double{a[c]} - right;
-        sum += std::min(d * d / (right * right + kDark), 1.0);
-    }
-    return sum;
-}
 
 bool isExact(const ComparedImage& image) { return image.error.rmse == 0; }
 
@@ -34,38 +18,12 @@ double powerLaw(const ComparedImage& a, double exponent, double rmse) {
     return a.samples * std::pow(rmse / a.error.rmse, 1 / exponent);
 }
 
+/// The RMSE after filter 1, 2, ..., or without for 0.
+double rmseAfter(std::size_t filter, const render::FilmError& error) {
+    return filter == 0 ? error.rmse : error.filtered[filter - 1];
+}
+
 } // namespace
-
-Crop worstCrop(const render::Film& film, const render::Film& reference) {
-    const unsigned width = std::min(kCropSize, film.width());
-    const unsigned height = std::min(kCropSize, film.height());
-    Crop worst{0, 0, width, height};
-    double most = -1;
-    for (unsigned y = 0; y + height <= film.height(); y += kCropSize / 4) {
-        for (unsigned x = 0; x + width <= film.width(); x += kCropSize / 4) {
-            double sum = 0;
-            for (unsigned j = 0; j < height; ++j) {
-                for (unsigned i = 0; i < width; ++i) {
-                    sum += clampedDifference(film, reference, x + i, y + j);
-                }
-            }
-            if (sum <= most) continue;
-            most = sum;
-            worst = {x, y, width, height};
-        }
-    }
-    return worst;
-}
-
-render::Film enlarged(const render::Film& film, const Crop& crop) {
-    render::Film large(crop.width * kEnlargement, crop.height * kEnlargement);
-    for (unsigned y = 0; y < large.height(); ++y) {
-        for (unsigned x = 0; x < large.width(); ++x) {
-            large.pixel(x, y) = film.pixel(crop.x + x / kEnlargement, crop.y + y / kEnlargement);
-        }
-    }
-    return large;
-}
 
 const ComparedGenerator& baselineOf(const Comparison& comparison) {
     const auto& all = comparison.generators;
@@ -104,34 +62,36 @@ bool hasUncertainties(const Comparison& comparison) {
     return comparison.generators.front().images.front().uncertainty.has_value();
 }
 
-std::string compareTable(const Comparison& comparison) {
+bool isMasked(const Comparison& comparison) {
+    return countOf(comparison.measure.mask) < comparison.measure.mask.counts.size();
+}
+
+double percentOf(const render::PixelMask& mask) {
+    return 100 * static_cast<double>(countOf(mask)) / static_cast<double>(mask.counts.size());
+}
+
+std::string filterName(double sigma) { return fmt::format("{:g}px", sigma); }
+
+std::vector<RelativeErrors> relativeErrors(const Comparison& comparison) {
     const ComparedGenerator& baseline = baselineOf(comparison);
-    std::size_t width = 9;
-    for (const auto& generator : comparison.generators) {
-        width = std::max(width, generator.name.size());
-    }
-    std::string text =
-        fmt::format("{}, reference: {}\n{:<{}} {:>8} {:>12} {:>12} {:>12} {:>9} {:>14}",
-                    comparison.scene, comparison.reference.origin, "generator", width, "samples",
-                    "RMSE", "relative MSE", "filtered", "seconds", "as " + baseline.name);
-    if (hasUncertainties(comparison))
-        text += fmt::format(" {:>12} {:>12}", "+- RMSE", "+- filtered");
-    text += '\n';
+    const auto& blurs = comparison.measure.blurs;
+    std::vector<RelativeErrors> rows;
     for (const ComparedGenerator& generator : comparison.generators) {
-        for (const ComparedImage& image : generator.images) {
-            fmt::format_to(std::back_inserter(text),
-                           "{:<{}} {:>8} {:>12.4e} {:>12.4e} {:>12.4e} {:>9.2f} {:>14.1f}",
-                           generator.name, width, image.samples, image.error.rmse,
-                           image.error.relativeMse, image.error.filtered, image.seconds,
-                           equivalentSamples(baseline, image.error.rmse));
-            if (image.uncertainty) {
-                fmt::format_to(std::back_inserter(text), " {:>12.1e} {:>12.1e}",
-                               image.uncertainty->rmse, image.uncertainty->filtered);
+        if (&generator == &baseline) continue;
+        for (std::size_t filter = 0; filter <= blurs.size(); ++filter) {
+            rows.push_back(
+                {generator.name, filter == 0 ? "none" : filterName(blurs[filter - 1].sigma()), {}});
+            for (std::size_t i = 0; i < generator.images.size(); ++i) {
+                rows.back().ratios.push_back(rmseAfter(filter, generator.images[i].error) /
+                                             rmseAfter(filter, baseline.images[i].error));
             }
-            text += '\n';
         }
     }
-    return text;
+    return rows;
+}
+
+std::string ratioText(double ratio) {
+    return std::isfinite(ratio) ? fmt::format("{:.3f}", ratio) : "-";
 }
 
 } // namespace wellstrat::cli

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What wellstrat compare finds out, and shows.
+// What wellstrat compare finds out.
 
 #pragma once
 
-#include "common/output/html_page.h"
-#include "common/output/picture.h"
+#include "crops.h"
 
 #include "renderer/film.h"
 #include "renderer/film_error.h"
@@ -13,18 +12,15 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wellstrat::cli {
 
-/// A part of an image, in pixels.
-struct Crop {
-    unsigned x, y, width, height;
-};
-
 /// The standard errors of two numbers of a FilmError.
 struct Uncertainty {
-    double rmse, filtered;
+    double rmse;
+    std::vector<double> filtered;
 };
 
 /// An image of one generator after some samples.
@@ -33,7 +29,9 @@ struct ComparedImage {
     render::FilmError error;
     std::optional<Uncertainty> uncertainty; ///< where it is known
     double seconds;                         ///< that all its samples took
+    std::vector<RingPower> spectrum;        ///< of the errors that count
     render::Film crop;                      ///< enlarged
+    std::vector<render::Film> blurredCrops; ///< of the whole image after each blur, enlarged
 };
 
 /// A generator with an image for each number of samples.
@@ -50,19 +48,18 @@ struct Reference {
 };
 
 struct Comparison {
+    /// Nothing is compared yet, and the reference is black.
+    Comparison(std::string name, unsigned width, unsigned height)
+        : scene(std::move(name)), reference{render::Film(width, height), "", {}} {}
+
     std::string scene;
     Reference reference;
-    Crop crop;
+    render::ErrorMeasure measure{};
+    std::string maskOrigin; ///< which pixels count, if not all: a noun phrase
+    Crop crop{};
+    std::vector<render::Film> blurredReference; ///< the crop after each blur, enlarged
     std::vector<ComparedGenerator> generators;
 };
-
-/// The part of an image, at most 96 pixels squared, where `film` differs most from `reference`,
-/// relative to its brightness. Differences count up to a limit, so that one bright pixel does not
-/// decide.
-Crop worstCrop(const render::Film& film, const render::Film& reference);
-
-/// That part, its pixels enlarged to squares.
-render::Film enlarged(const render::Film& film, const Crop& crop);
 
 /// The generator whose samples others are converted to: "random", else the last one.
 const ComparedGenerator& baselineOf(const Comparison& comparison);
@@ -75,18 +72,29 @@ double equivalentSamples(const ComparedGenerator& baseline, double rmse);
 /// Whether the uncertainties of the errors are known: of all images or of none.
 bool hasUncertainties(const Comparison& comparison);
 
-/// One line for each image.
-std::string compareTable(const Comparison& comparison);
-
 /// Whether any image differs from the reference.
 bool hasErrors(const Comparison& comparison);
 
-/// Error curves. Logarithmic axes need some error: see `hasErrors`.
-Plot compareFigure(const Comparison& comparison);
+/// Whether some pixels do not count.
+bool isMasked(const Comparison& comparison);
 
-/// The page, with `figure` the bytes of its error curves, empty if there are no errors. `command`
-/// is what makes it again.
-std::string comparePage(const Comparison& comparison, const std::string& figure,
-                        const std::string& command);
+/// Which part of the pixels counts, in percent.
+double percentOf(const render::PixelMask& mask);
+
+/// How tables call a blur, such as "2px".
+std::string filterName(double sigma);
+
+/// The RMSE of a generator's images over that of the baseline's with as many samples.
+struct RelativeErrors {
+    std::string generator;
+    std::string filter;         ///< after which blur, or "none"
+    std::vector<double> ratios; ///< for each number of samples; not finite where they mean nothing
+};
+
+/// Of all generators but the baseline.
+std::vector<RelativeErrors> relativeErrors(const Comparison& comparison);
+
+/// A ratio, or a dash if it means nothing.
+std::string ratioText(double ratio);
 
 } // namespace wellstrat::cli

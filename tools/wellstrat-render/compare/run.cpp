@@ -5,10 +5,13 @@
 #include "common/command_line/errors.h"
 #include "common/command_line/options.h"
 #include "image/run.h"
+#include "measure.h"
+
+#include "renderer/film_error.h"
+#include "renderer/pixel_mask.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -22,86 +25,73 @@ ImageRun imageOf(const CompareOptions& options, const CompareJob& job, const Ran
     return ImageRun(options.scene, seed, *job.scene, job.size, renderGenerator(name), ranks, name);
 }
 
+/// Where the errors that --seeds measures are from.
+std::string originOfMeans(const CompareOptions& options, const std::string& name,
+                          uint32_t samples) {
+    return fmt::format(
+        "the mean of each image over its {} seeds; shown is that of {} with {} "
+        "samples of each pixel",
+        *options.seeds, name, samples);
+}
+
+/// Fills in what the options ask to measure, smooth areas as they are in the reference.
+void chooseMeasure(const CompareOptions& options, const CompareJob& job, Comparison& comparison) {
+    render::PixelMask mask = render::allPixels(job.size.width, job.size.height);
+    if (job.mask) {
+        mask = *job.mask;
+        comparison.maskOrigin = "those that are not black in " + oneLine(*options.mask);
+    } else if (options.mask) {
+        mask = render::smoothAreas(comparison.reference.film);
+        comparison.maskOrigin = "the smooth areas of " + comparison.reference.origin;
+    }
+    if (countOf(mask) == 0) {
+        throw CliError(
+            fmt::format("--mask smooth: no pixel of the reference is in a smooth area, "
+                        "where the contrast of {0}x{0} pixels is at most {1}; less noise "
+                        "in the reference or a larger --size may help",
+                        2 * render::kSmoothReach + 1, render::kSmoothContrast));
+    }
+    comparison.measure = render::errorMeasure(std::move(mask), options.filters);
+}
+
 /// Renders a reference as two halves of other seeds, whose difference tells its error: halves A and
 /// B are independent and equally wrong, so the RMSE of (A + B) / 2 is half that between A and B.
 /// False if it was interrupted.
 bool renderReference(const CompareOptions& options, const CompareJob& job, const Ranks& ranks,
-                     Reference& reference) {
+                     Comparison& comparison) {
     const auto samples = static_cast<uint32_t>((referenceSamples(options) + 1) / 2);
     const uint64_t seeds[2]{options.scene.seed ^ kMaxWord, options.scene.seed ^ (kMaxWord - 1)};
-    std::optional<render::Film> first;
+    std::vector<render::Film> halves;
     for (const uint64_t seed : seeds) {
         ImageRun run = imageOf(options, job, ranks, "pmj", seed);
         if (!run.render(samples)) return false;
-        if (!first) {
-            first = run.film();
-            continue;
-        }
-        reference.error = render::filmError(*first, run.film()).rmse / 2;
-        reference.film = std::move(*first);
-        reference.film.add(run.film());
+        halves.push_back(run.film());
     }
+    if (!ranks.isRoot()) return true;
+    Reference& reference = comparison.reference;
+    reference.film = meanOf(halves);
     reference.origin = fmt::format("pmj, twice {} samples of each pixel, seeds {} and {}", samples,
                                    seeds[0], seeds[1]);
+    chooseMeasure(options, job, comparison);
+    reference.error = render::filmError(halves[0], halves[1], comparison.measure).rmse / 2;
     return true;
 }
 
-/// Fills in the reference that the options ask for. False if it was interrupted.
+/// Fills in the reference that the options ask for, and what is measured. False if it was
+/// interrupted.
 bool findReference(const CompareOptions& options, const CompareJob& job, const Ranks& ranks,
-                   Reference& reference) {
-    if (options.seeds) return true; // each image has its own
-    if (!job.reference) return renderReference(options, job, ranks, reference);
-    reference.film = job.reference->film;
-    reference.origin = fmt::format("{}, by {}", oneLine(*options.reference),
-                                   job.reference->settings.at("generator"));
-    return true;
-}
-
-/// The images of one generator with the same samples, by seed.
-using FilmsBySeed = std::vector<render::Film>;
-
-/// Their mean.
-Reference meanOf(const FilmsBySeed& films, const std::string& name, uint32_t samples) {
-    render::Film sum = films.front();
-    for (std::size_t k = 1; k < films.size(); ++k) sum.add(films[k]);
-    return {std::move(sum),
-            fmt::format("the mean of each image over its {} seeds; shown is that of {} with {} "
-                        "samples of each pixel",
-                        films.size(), name, samples),
-            {}};
-}
-
-double square(double x) { return x * x; }
-
-struct RootMeanSquare {
-    double value, standardError;
-};
-
-/// From the mean squares of the differences of K images from their mean: those of the expectation
-/// are larger by K / (K - 1).
-RootMeanSquare errorOfOne(const std::vector<double>& squares) {
-    const auto count = static_cast<double>(squares.size());
-    double sum = 0, deviations = 0;
-    for (const double x : squares) sum += x;
-    for (const double x : squares) deviations += square(x - sum / count);
-    if (sum == 0) return {0, 0};
-    const double value = std::sqrt(sum / (count - 1));
-    const double relative = std::sqrt(deviations / (count - 1) / count) / (sum / count);
-    return {value, value * relative / 2}; // the root has half the relative error
-}
-
-/// Measures the error of one image by how `films` differ from their mean.
-void measureSpread(const FilmsBySeed& films, const render::Film& mean, ComparedImage& image) {
-    std::vector<double> squares, relative, filtered;
-    for (const render::Film& film : films) {
-        const render::FilmError error = render::filmError(film, mean);
-        squares.push_back(square(error.rmse));
-        relative.push_back(error.relativeMse);
-        filtered.push_back(square(error.filtered));
+                   Comparison& comparison) {
+    const bool isNeeded = !options.seeds || options.mask == kSmoothMask;
+    if (isNeeded && !job.reference) return renderReference(options, job, ranks, comparison);
+    if (!ranks.isRoot()) return true;
+    if (isNeeded) {
+        comparison.reference = {job.reference->film,
+                                fmt::format("{}, by {}", oneLine(*options.reference),
+                                            job.reference->settings.at("generator")),
+                                {}};
     }
-    const RootMeanSquare plain = errorOfOne(squares), blurred = errorOfOne(filtered);
-    image.error = {plain.value, square(errorOfOne(relative).value), blurred.value};
-    image.uncertainty = {plain.standardError, blurred.standardError};
+    chooseMeasure(options, job, comparison);
+    return true;
 }
 
 /// Renders the images of a generator, films[i][k] with options.spp[i] samples and seed k, and says
@@ -123,32 +113,41 @@ bool renderImages(const CompareOptions& options, const CompareJob& job, const Ra
     return true;
 }
 
+/// Measures the images of one more generator, films[i][k] as of renderImages.
+void addGenerator(const CompareOptions& options, const CompareJob& job, const std::string& name,
+                  const std::vector<FilmsBySeed>& films, const std::vector<double>& seconds,
+                  Comparison& comparison) {
+    const bool isFirst = comparison.generators.empty();
+    comparison.generators.push_back({name, {}});
+    Reference& reference = comparison.reference;
+    const auto blurs =
+        render::errorMeasure(render::allPixels(job.size.width, job.size.height), options.filters)
+            .blurs;
+    for (std::size_t i = 0; i < films.size(); ++i) {
+        const render::Film& first = films[i].front();
+        if (options.seeds) {
+            reference = {meanOf(films[i]), originOfMeans(options, name, options.spp[i]), {}};
+        }
+        if (isFirst && i == 0) comparison.crop = worstCrop(first, reference.film);
+        MeasuredErrors errors = measureErrors(films[i], reference.film, comparison.measure);
+        comparison.generators.back().images.push_back(
+            {options.spp[i], std::move(errors.error), std::move(errors.uncertainty), seconds[i],
+             std::move(errors.spectrum), enlarged(first, comparison.crop),
+             blurredCrops(first, blurs, comparison.crop)});
+    }
+    comparison.blurredReference = blurredCrops(reference.film, blurs, comparison.crop);
+}
+
 } // namespace
 
 bool renderComparison(const CompareOptions& options, const CompareJob& job, const Ranks& ranks,
                       Comparison& comparison) {
-    if (!findReference(options, job, ranks, comparison.reference)) return false;
+    if (!findReference(options, job, ranks, comparison)) return false;
     for (const std::string& name : options.generators) {
         std::vector<FilmsBySeed> films;
         std::vector<double> seconds;
         if (!renderImages(options, job, ranks, name, films, seconds)) return false;
-        if (!ranks.isRoot()) continue;
-        comparison.generators.push_back({name, {}});
-        for (std::size_t i = 0; i < films.size(); ++i) {
-            const render::Film& first = films[i].front();
-            ComparedImage image{options.spp[i], {}, {}, seconds[i], first};
-            if (options.seeds) {
-                comparison.reference = meanOf(films[i], name, options.spp[i]);
-                measureSpread(films[i], comparison.reference.film, image);
-            } else {
-                image.error = render::filmError(first, comparison.reference.film);
-            }
-            if (comparison.crop.width == 0) {
-                comparison.crop = worstCrop(first, comparison.reference.film);
-            }
-            image.crop = enlarged(first, comparison.crop);
-            comparison.generators.back().images.push_back(std::move(image));
-        }
+        if (ranks.isRoot()) addGenerator(options, job, name, films, seconds, comparison);
     }
     return true;
 }

@@ -11,6 +11,7 @@
 #include "result.h"
 
 #include "renderer/film_part.h"
+#include "renderer/pixel_mask.h"
 
 #include <cstdint>
 #include <memory>
@@ -20,6 +21,9 @@
 
 namespace wellstrat::cli {
 
+/// The value of --mask for what is smooth in the reference.
+constexpr auto kSmoothMask = "smooth";
+
 struct CompareOptions {
     SceneOptions scene;
     std::vector<std::string> generators{"pmj", "random"};
@@ -27,6 +31,8 @@ struct CompareOptions {
     std::optional<std::string> reference;
     std::optional<uint64_t> referenceSpp;
     std::optional<uint64_t> seeds;
+    std::vector<double> filters{2};  ///< standard deviations in pixels
+    std::optional<std::string> mask; ///< kSmoothMask or a file
     std::string output;
     bool keepPlotFiles = false;
 };
@@ -37,8 +43,9 @@ struct CompareJob {
     std::unique_ptr<render::Scene> scene;
     ImageSize size{};
     std::optional<render::FilmPart> reference; ///< of --reference
+    std::optional<render::PixelMask> mask;     ///< of a file
     std::unique_ptr<OutputFile> file;          ///< of rank 0
-    std::unique_ptr<Picture> curves;           ///< if it is kept
+    std::unique_ptr<Picture> curves, spectra;  ///< if they are kept
 };
 
 /// The samples of the reference, if one is rendered.
