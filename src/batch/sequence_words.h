@@ -80,12 +80,15 @@ HWY_INLINE V owenHash(V digits, V key) {
 }
 
 HWY_INLINE V sequenceSeed(V patternid) {
-    return mixBits(hn::Xor(patternid, constant(detail::kSequenceKey)));
+    const V x = hn::Xor(patternid, constant(detail::kSequenceKey));
+    return xorShifted<15>(hn::Mul(xorShifted<16>(x), constant(detail::kFirstMultiplier)));
 }
 
 HWY_INLINE V scramblingKey(V seed, Coordinate coordinate) {
     return hn::Mul(seed, constant(stream1::scramblingKey(1, coordinate)));
 }
+
+HWY_INLINE V shuffleKey(V seed) { return hn::Mul(seed, constant(stream1::shuffleKey(1))); }
 
 /// PointDigits of a vector of points.
 struct PointVectors {
