@@ -10,9 +10,10 @@
 // Digits stand in words with the first one, the most significant of the coordinate, in bit 0. In
 // that order nested uniform scrambling (owen.h) is a map in which each bit is flipped or not by the
 // bits below it, and that is what integer addition, multiplication by an odd number, and
-// n ^= n * even do (Klimov and Shamir 2003, "A New Class of Invertible Mappings"; Laine and Karras
-// 2011, section 3.1; Burley 2020, "Practical Hash-based Owen Scrambling"). An index in opposite
-// order is such a word too, and its scrambling is the nested shuffle of the order of samples.
+// n ^= 2 n n do (Klimov and Shamir 2003, "A New Class of Invertible Mappings"; Laine and Karras
+// 2011, section 3.1, and Burley 2020, "Practical Hash-based Owen Scrambling", scramble in that
+// way). An index in opposite order is such a word too, and its scrambling is a nested shuffle of
+// the order of samples.
 //
 // Start reading at `sequenceBits`, the definition of the samples. Generators that take the points
 // in another order, or move them, call what it calls.
@@ -42,8 +43,7 @@ inline namespace stream1 {
 WELLSTRAT_HOST_DEVICE constexpr uint32_t owenHash(uint32_t digits, uint32_t key) {
     digits += (key >> 16) | (key << 16);
     digits *= (key >> 7) | 1u;
-    digits ^= digits * 0x3d20adeau; // of Vegdahl's hash for the same purpose,
-    return digits; // https://psychopath.io/post/2021_01_30_building_a_better_lk_hash
+    return digits ^ (2u * digits * digits);
 }
 
 /// A nested shuffle of all indices: every aligned run of 2^m becomes an aligned run of 2^m, for

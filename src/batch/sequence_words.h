@@ -76,7 +76,7 @@ HWY_INLINE V trinomialTimes(V index) {
 HWY_INLINE V owenHash(V digits, V key) {
     digits = hn::Add(digits, bytesOf<2, 3, 0, 1>(key));
     digits = hn::Mul(digits, hn::Or(hn::ShiftRight<7>(key), constant(1)));
-    return hn::Xor(digits, hn::Mul(digits, constant(0x3d20adeau)));
+    return hn::Xor(digits, hn::Mul(digits, hn::Add(digits, digits)));
 }
 
 HWY_INLINE V sequenceSeed(V patternid) {
