@@ -15,7 +15,9 @@
 #include "wellstrat/batch.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 #include "wellstrat/random_generator.h"
+#include "wellstrat/sequence.h"
 #include "wellstrat/version.h"
 
 #include <algorithm>
@@ -101,6 +103,26 @@ inline Words randomSample(const Words& a) {
 inline Words jointSample(const Words& a) {
     const wellstrat::JointProgressive joint;
     return firstSample(a, &joint, wellstrat::jointOrder(a[2], a[3]));
+}
+
+inline Words longSample(const Words& a) {
+    const wellstrat::LongProgressive longSamples;
+    return firstSample(a, &longSamples);
+}
+
+inline Words longSlotSample(const Words& a) {
+    const wellstrat::LongProgressive longSamples;
+    return firstSample(a, &longSamples, wellstrat::jointOrder(a[2], a[3]));
+}
+
+/// All 32 bits of x, y and z, which floats cut.
+inline Words sequenceWords(const Words& a) {
+    Words bits;
+    for (const auto c :
+         {wellstrat::Coordinate::x, wellstrat::Coordinate::y, wellstrat::Coordinate::z}) {
+        bits.push_back(wellstrat::sequenceBits(a[0], a[1], c));
+    }
+    return bits;
 }
 
 /// Drawn in batches of 1, 2, 3, ... samples, so that vectors have rests of any length.
@@ -193,18 +215,21 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {"stream", 0, stream},       // = version
-    {"sample", 2, sample},       // patternid sampleid = x y z
-    {"random", 2, randomSample}, // patternid sampleid = x y z, of the RandomGenerator
-    {"joint", 4, jointSample},   // patternid sampleid slot split = x y z, of JointProgressive
-    {"run", 3, run},             // patternid first count = digest of the x, y, z of all
-    {"table", 1, table},         // table = digest of its 4096 points
-    {"hash", 2, hash},           // a b = HashToUnsigned
-    {"domain", 3, domain},       // patternid sampleid scramble = patternid sampleid
-    {"distrib", 4, distrib},     // patternid sampleid scramble newsampleid = patternid sampleid
-    {"split", 4, split},         // patternid sampleid scramble newnumsamples = patternid sampleid
-    {"camera", 4, camera},       // x y frame sampleid = patternid sampleid
-    {"seeded", 5, seeded},       // x y frame sampleid seed = patternid sampleid
+    {"stream", 0, stream},           // = version
+    {"sample", 2, sample},           // patternid sampleid = x y z
+    {"random", 2, randomSample},     // patternid sampleid = x y z, of the RandomGenerator
+    {"joint", 4, jointSample},       // patternid sampleid slot split = x y z, of JointProgressive
+    {"long", 2, longSample},         // patternid sampleid = x y z, of LongProgressive
+    {"longslot", 4, longSlotSample}, // patternid sampleid slot split = x y z, of LongProgressive
+    {"sequence", 2, sequenceWords},  // patternid sampleid = x y z, fractions of 2^32
+    {"run", 3, run},                 // patternid first count = digest of the x, y, z of all
+    {"table", 1, table},             // table = digest of its 4096 points
+    {"hash", 2, hash},               // a b = HashToUnsigned
+    {"domain", 3, domain},           // patternid sampleid scramble = patternid sampleid
+    {"distrib", 4, distrib},         // patternid sampleid scramble newsampleid = patternid sampleid
+    {"split", 4, split},   // patternid sampleid scramble newnumsamples = patternid sampleid
+    {"camera", 4, camera}, // x y frame sampleid = patternid sampleid
+    {"seeded", 5, seeded}, // x y frame sampleid seed = patternid sampleid
 };
 
 /// The line, without its end, of a record of this kind. Throws std::invalid_argument for a kind or

@@ -4,6 +4,7 @@
 
 #include "errors.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 #include "wellstrat/random_generator.h"
 
 #include <fmt/format.h>
@@ -11,9 +12,11 @@
 namespace wellstrat::cli {
 
 const std::vector<NamedGenerator>& namedGenerators() {
+    static const LongProgressive longSamples;
     static const RandomGenerator random;
     static const std::vector<NamedGenerator> generators{
         {"pmj", "well stratified, from the tables", nullptr},
+        {"long", "well stratified without end, computed", &longSamples},
         {"random", "independent random numbers", &random},
     };
     return generators;
