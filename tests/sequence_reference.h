@@ -8,6 +8,7 @@
 #include "wellstrat/joint_bank.h"
 #include "wellstrat/joint_lookup.h"
 #include "wellstrat/sequence.h"
+#include "wellstrat/sobol.h"
 
 #include <array>
 #include <cstdint>

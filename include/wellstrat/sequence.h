@@ -23,7 +23,7 @@
 #include "wellstrat/bits.h"
 #include "wellstrat/coordinate.h"
 #include "wellstrat/hash.h"
-#include "wellstrat/sobol.h"
+#include "wellstrat/sobol_digits.h"
 #include "wellstrat/vector.h"
 
 #include <cstdint>
@@ -89,6 +89,11 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t shuffleKey(uint32_t seed) {
 struct PointDigits {
     uint32_t x, y, z;
 };
+
+WELLSTRAT_HOST_DEVICE constexpr uint32_t digitsOf(PointDigits point, Coordinate coordinate) {
+    if (coordinate == Coordinate::x) return point.x;
+    return coordinate == Coordinate::y ? point.y : point.z;
+}
 
 /// The point of an index. Any 2^m indices from a multiple of 2^m on make a (0,m,2)-net in (x, y)
 /// and a (1,m,3)-net in (x, y, z); so do they after an exclusive or of each word with a constant.
@@ -158,17 +163,15 @@ struct DigitsOfBytes {
 
 extern WELLSTRAT_API const DigitsOfBytes kDigitsOfBytes;
 
-WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline PointDigits laterPoint(uint32_t seed,
-                                                                       uint32_t sampleid) {
-    return sequenceDigits(sequenceIndex(seed, sampleid));
-}
+/// sequencePoint of samples from 2^16 on.
+WELLSTRAT_API PointDigits laterPoint(uint32_t seed, uint32_t sampleid);
 
 } // namespace detail
 
 /// sequenceDigits(sequenceIndex(seed, sampleid)).
 WELLSTRAT_HOST_DEVICE inline PointDigits sequencePoint(uint32_t seed, uint32_t sampleid) {
 #if defined(__CUDA_ARCH__)
-    return detail::laterPoint(seed, sampleid);
+    return sequenceDigits(sequenceIndex(seed, sampleid));
 #else
     if (WELLSTRAT_UNLIKELY(sampleid >= 0x10000u)) return detail::laterPoint(seed, sampleid);
     const uint32_t shuffled = owenHash(detail::reverseLowHalf(sampleid), shuffleKey(seed));
@@ -185,11 +188,7 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceBits(uint32_t patternid, uint32
                                                       Coordinate coordinate) {
     const uint32_t seed = sequenceSeed(patternid);
     const PointDigits point = sequenceDigits(sequenceIndex(seed, sampleid));
-    switch (coordinate) {
-    case Coordinate::x: return scrambledBits(point.x, seed, coordinate);
-    case Coordinate::y: return scrambledBits(point.y, seed, coordinate);
-    default: return scrambledBits(point.z, seed, coordinate);
-    }
+    return scrambledBits(digitsOf(point, coordinate), seed, coordinate);
 }
 
 /// z, (x, y) and (x, y, z) of a sample in [0, 1): those bits by toUnitFloat.

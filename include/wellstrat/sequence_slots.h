@@ -48,31 +48,16 @@ inline uint32_t slotPlaces(uint32_t seed, unsigned slot, uint32_t index) {
 }
 
 /// Which block follows on which, and by what its indices are shifted: nothing in the first one. By
-/// the bits of `sampleid` from kSlotDigits on.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t slotBlock(uint32_t seed, uint32_t sampleid) {
-    const uint32_t block = sampleid & ~((1u << kSlotDigits) - 1u);
-    if (!WELLSTRAT_UNLIKELY(block != 0)) return 0;
-    const uint32_t key = shuffleKey(seed);
-    return nestedShuffle(block, key) ^ nestedShuffle(0, key);
-}
+/// the bits of `sampleid` from kSlotDigits on, some of which are not 0.
+WELLSTRAT_API uint32_t laterSlotBlock(uint32_t seed, uint32_t sampleid);
 
-/// The bits of a visit that its order changes: those below the highest one in which it differs from
-/// the number of visits, so that the largest aligned run of whole visits that it is in is kept.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t slotOrderMask(uint32_t visit, uint32_t visits) {
-    uint32_t differing = visit ^ visits;
-    for (unsigned shift = 1; shift < 32; shift *= 2) differing |= differing >> shift;
-    return differing / 2;
+inline uint32_t slotBlock(uint32_t seed, uint32_t sampleid) {
+    return WELLSTRAT_UNLIKELY(sampleid >> kSlotDigits != 0) ? laterSlotBlock(seed, sampleid) : 0;
 }
 
 /// The index of a sample of a slot under splits by `split` in all, 2 to kMaxJointSplit.
-inline uint32_t splitSlotIndex(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
-    const uint32_t visit = sampleid / split;
-    const uint32_t order = slotBlock(seed, visit) ^ (slotPlaces(seed, slot, visit) & 0xffffu);
-    const uint32_t visits = 0xffffffffu / split + (0xffffffffu % split + 1 == split ? 1 : 0);
-    const uint32_t mask = slotOrderMask(visit, visits);
-    const uint32_t place = (visit & ~mask) | (order & mask);
-    return place * split + jointBranch(seed, visit, sampleid % split, split);
-}
+WELLSTRAT_API uint32_t splitSlotIndex(uint32_t seed, uint32_t sampleid, unsigned slot,
+                                      unsigned split);
 
 } // namespace detail
 
@@ -96,11 +81,7 @@ inline uint32_t jointSequenceBits(uint32_t patternid, uint32_t sampleid, unsigne
                                   unsigned split, Coordinate coordinate) {
     const uint32_t seed = sequenceSeed(patternid);
     const PointDigits point = slotDigits(seed, sampleid, slot, split);
-    switch (coordinate) {
-    case Coordinate::x: return scrambledBits(point.x, seed, coordinate);
-    case Coordinate::y: return scrambledBits(point.y, seed, coordinate);
-    default: return scrambledBits(point.z, seed, coordinate);
-    }
+    return scrambledBits(digitsOf(point, coordinate), seed, coordinate);
 }
 
 /// z, (x, y) and (x, y, z) of it in [0, 1): those bits by toUnitFloat.

@@ -53,6 +53,10 @@ constexpr SlotOrders makeSlotOrders() {
 
 } // namespace
 
+PointDigits laterPoint(uint32_t seed, uint32_t sampleid) {
+    return sequenceDigits(sequenceIndex(seed, sampleid));
+}
+
 constexpr DigitsOfBytes kDigitsOfBytes = makeDigitsOfBytes();
 constexpr FloatsOfBytes kFloatsOfBytes = makeFloatsOfBytes();
 constexpr SlotOrders kSlotOrders = makeSlotOrders();

@@ -12,6 +12,7 @@
 #include "wellstrat/analysis/integrands.h"
 #include "wellstrat/owen.h"
 #include "wellstrat/sequence_slots.h"
+#include "wellstrat/sobol.h"
 
 #include <gtest/gtest.h>
 

@@ -16,8 +16,8 @@ const std::vector<NamedGenerator>& namedGenerators() {
     static const RandomGenerator random;
     static const std::vector<NamedGenerator> generators{
         {"pmj", "well stratified, from the tables", nullptr},
-        {"long", "well stratified without end, computed", &longSamples},
         {"random", "independent random numbers", &random},
+        {"long", "well stratified without end, computed", &longSamples},
     };
     return generators;
 }
