@@ -6,6 +6,8 @@
 #include "common/command_line/generators.h"
 #include "common/command_line/options.h"
 #include "points/point_file.h"
+#include "rivals/tile.h"
+#include "rivals/zsobol.h"
 
 #include "wellstrat/joint.h"
 
@@ -80,25 +82,51 @@ StudySourceKind jointKind(const std::string& option, const std::string& name) {
     return {name, "", [slots] { return jointSource(slots); }};
 }
 
-/// `more` is what is accepted beside generators.
-StudySourceKind findKind(const std::string& option, const std::string& name, const char* more) {
+/// The one of `kinds`, or joint:SLOT+SLOT; `more` is what is accepted beside them.
+StudySourceKind findKind(const std::string& option, const std::string& name,
+                         std::vector<StudySourceKind> kinds, const char* more) {
     if (startsWith(name, kJointPrefix)) return jointKind(option, name);
     std::vector<std::string> names;
-    for (StudySourceKind& kind : studySourceKinds()) {
+    for (StudySourceKind& kind : kinds) {
         if (kind.name == name) return std::move(kind);
         names.push_back(kind.name);
     }
-    throw CliError(fmt::format("{}: no generator is called '{}'; there are {}{}", option, name,
-                               fmt::join(names, ", "), more));
+    throw CliError(fmt::format("{}: no generator is called '{}'; there are {}, joint:SLOT+SLOT{}",
+                               option, name, fmt::join(names, ", "), more));
 }
 
-PointSourcePtr makeSource(const std::string& name) {
+StudySource makeSource(const std::string& name) {
     if (startsWith(name, kFilePrefix)) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
-        return std::make_unique<FileSource>(readPatterns(options));
+        return {name, std::make_unique<FileSource>(readPatterns(options))};
     }
-    return findKind("--generators", name, ", joint:SLOT+SLOT, file:PATH").make();
+    return {name, findKind("--generators", name, studySourceKinds(), ", file:PATH").make()};
+}
+
+StudySource makePictureSource(const std::string& name) {
+    if (startsWith(name, kFilePrefix)) {
+        throw CliError(
+            fmt::format("--generators: '{}': the points of a file are for no pixels; "
+                        "leave it or --filter out",
+                        name));
+    }
+    std::vector<StudySourceKind> kinds = studySourceKinds();
+    for (StudySourceKind& kind : rivalSourceKinds()) kinds.push_back(std::move(kind));
+    const StudySourceKind kind = findKind("--generators", name, std::move(kinds), "");
+    return {name, kind.make(), kind.patternOf};
+}
+
+/// What make(name) gives for each name, repetitions dropped.
+template <typename Make>
+std::vector<StudySource> makeAll(const std::vector<std::string>& names, Make make) {
+    std::vector<StudySource> sources;
+    for (const std::string& name : names) {
+        const auto same = [&](const StudySource& source) { return source.name == name; };
+        if (std::any_of(sources.begin(), sources.end(), same)) continue;
+        sources.push_back(make(name));
+    }
+    return sources;
 }
 
 } // namespace
@@ -124,18 +152,23 @@ std::vector<StudySourceKind> studySourceKinds() {
     return kinds;
 }
 
+std::vector<StudySourceKind> rivalSourceKinds() {
+    return {{"zsobol", "one Sobol' sequence over all pixels, knows N (Ahmed and Wonka 2020)",
+             rivals::zsobolSource, rivals::zsobolPattern},
+            {"tile", "from a tile annealed at first use (Heitz et al. 2019)", rivals::tileSource,
+             rivals::tilePattern}};
+}
+
 StudySourceKind findStudySource(const std::string& option, const std::string& name) {
-    return findKind(option, name, ", joint:SLOT+SLOT");
+    return findKind(option, name, studySourceKinds(), "");
 }
 
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names) {
-    std::vector<StudySource> sources;
-    for (const std::string& name : names) {
-        const auto same = [&](const StudySource& source) { return source.name == name; };
-        if (std::any_of(sources.begin(), sources.end(), same)) continue;
-        sources.push_back({name, makeSource(name)});
-    }
-    return sources;
+    return makeAll(names, makeSource);
+}
+
+std::vector<StudySource> makePictureSources(const std::vector<std::string>& names) {
+    return makeAll(names, makePictureSource);
 }
 
 } // namespace wellstrat::cli
