@@ -125,7 +125,7 @@ StudyPlan picturePlan(const StudyOptions& options) {
     }
     StudyPlan plan{makePictureSources(options.generators),
                    parsePictures(options.integrands, static_cast<unsigned>(options.window)),
-                   parseCounts(options.counts), *options.patterns, filter};
+                   parseCounts(*options.counts), *options.patterns, filter};
     if (plan.patterns > kMaxStudyPictures) {
         throw CliError(
             fmt::format("--patterns: with --filter there are at most {} pictures, not {}",
@@ -142,7 +142,7 @@ StudyPlan planOf(const StudyOptions& options) {
     StudyPlan plan = options.filter ? picturePlan(options)
                                     : StudyPlan{makeStudySources(options.generators),
                                                 parseIntegrands(options.integrands),
-                                                parseCounts(options.counts), *options.patterns};
+                                                parseCounts(*options.counts), *options.patterns};
     checkPlan(plan);
     if (options.plot && plan.integrands.size() > kMaxPlottedIntegrands) {
         throw CliError(fmt::format("--plot: at most {} integrands can be drawn, not {}",

@@ -78,7 +78,7 @@ void addOutputs(CLI::App& command, StudyOptions& options) {
 void StudyOptions::setDefaults() {
     if (generators.empty()) generators = {"pmj", filter ? "zsobol" : "random"};
     if (integrands.empty()) integrands = {filter ? "2d" : "classic"};
-    if (counts.empty()) counts = filter ? "pow2:1..64" : "pow2:4..4096";
+    if (!counts) counts = filter ? "pow2:1..64" : "pow2:4..4096";
     if (!patterns) patterns = filter ? 20 : 1000;
 }
 

@@ -15,7 +15,7 @@ namespace wellstrat::cli {
 
 struct StudyOptions {
     std::vector<std::string> generators, integrands;
-    std::string counts;
+    std::optional<std::string> counts;
     std::string table = "16,64,256,1024,4096";
     std::optional<uint64_t> patterns;
     std::optional<double> filter; ///< of a study of pictures
