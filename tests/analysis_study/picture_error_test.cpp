@@ -135,13 +135,12 @@ TEST(PictureErrors, PaddedTablesAreWhite) {
     EXPECT_LT(std::fabs(std::log(b.rmse / expected)), 4.5 * noise + 0.03);
 }
 
-/// A source whose only coordinate is the same for all points of a pixel: the estimate of a step is
-/// 1 or 0 as is chosen here.
+/// A source whose only coordinate is the same for all points of a pixel: 0 in pattern 0, else 1/2.
 class Chosen final : public PointSource {
 public:
     void draw(uint32_t pattern, const DomainDims& /*domains*/, std::size_t count,
               double* points) const override {
-        for (std::size_t i = 0; i < count; ++i) points[i] = pattern == 0 ? 0 : 0.999;
+        for (std::size_t i = 0; i < count; ++i) points[i] = pattern == 0 ? 0 : 0.5;
     }
 };
 
@@ -151,12 +150,13 @@ TEST(PictureErrors, SumsAreOfPictures) {
     const PixelPattern patternOf = [](int x, int y, uint32_t seed) {
         return static_cast<uint32_t>(x == 1 && y == 0 && seed == 7 ? 0 : 1);
     };
-    const IntegrandPicture step = makeIntegrandPicture("step", 2);
-    const ErrorSums sums = errorsOf({points, patternOf}, "step", 2, {3}, 0, {7, 8})[0];
+    const IntegrandPicture picture = makeIntegrandPicture("exponential", 2);
+    const ErrorSums sums = errorsOf({points, patternOf}, "exponential", 2, {3}, 0, {7, 8})[0];
     double mean = 0, square = 0;
     for (unsigned y = 0; y < 2; ++y) {
         for (unsigned x = 0; x < 2; ++x) {
-            const double error = (x == 1 && y == 0 ? 1 : 0) - step.at(x, y).integral;
+            const double point = x == 1 && y == 0 ? 0 : 0.5;
+            const double error = picture.at(x, y).value(&point) - picture.at(x, y).integral;
             mean += error / 4;
             square += error * error / 4;
         }

@@ -19,13 +19,14 @@
 #include "wellstrat/platform.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace wellstrat {
 inline namespace stream1 {
 
-/// The pattern of pixel (x, y) in the picture `seed`.
-using PixelPattern = uint32_t (*)(int x, int y, uint32_t seed);
+/// The pattern of pixel (x, y) in the picture `seed`. Pure; safe in any thread.
+using PixelPattern = std::function<uint32_t(int x, int y, uint32_t seed)>;
 
 /// The pattern of cameraContext (camera.h) in frame 0: pixels are independent, and pictures too.
 WELLSTRAT_API uint32_t cameraPattern(int x, int y, uint32_t seed);
