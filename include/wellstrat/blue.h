@@ -54,11 +54,16 @@ public:
     void MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                               Float3* xis) const override;
 
+    /// blueContext (blue_domain.h).
+    SampleCtx CameraContext(int x, int y, unsigned seed, unsigned sampleid) const override;
+
     /// By newBlueDomainSplit and newBlueDomainDistrib (blue_domain.h).
     void MultiNewDomainSplit(unsigned n, const SampleCtx& parents, Order order, Scramble scramble,
                              unsigned newnumsamples, SampleCtx* children) const override;
     void MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Order order, Scramble scramble,
                                unsigned newsampleid, SampleCtx* children) const override;
+    unsigned ParentPattern(unsigned patternid, Scramble scramble) const override;
+    unsigned PlaceBits() const override;
 };
 
 } // namespace stream1

@@ -62,7 +62,8 @@ WELLSTRAT_HOST_DEVICE constexpr unsigned derivePattern(unsigned patternid, Scram
 /// The pattern of which derivePattern(., scramble) is `patternid`. For tests and tools.
 WELLSTRAT_HOST_DEVICE constexpr unsigned parentPattern(unsigned patternid, Scramble scramble) {
     const DerivationKey key = derivationKey(scramble);
-    return (patternid * detail::oddInverse(key.multiplier)) ^ key.mask;
+    const uint32_t inverse = detail::oddInverse(key.multiplier);
+    return (patternid * inverse) ^ key.mask;
 }
 
 /// Names one sample. 8 bytes; copy it freely. The functions return new contexts and leave this one

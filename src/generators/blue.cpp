@@ -49,6 +49,10 @@ void BlueProgressive::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Orde
     }
 }
 
+SampleCtx BlueProgressive::CameraContext(int x, int y, unsigned seed, unsigned sampleid) const {
+    return blueContext(x, y, seed, sampleid);
+}
+
 void BlueProgressive::MultiNewDomainSplit(unsigned n, const SampleCtx& parents, Order /*order*/,
                                           Scramble scramble, unsigned newnumsamples,
                                           SampleCtx* children) const {
@@ -64,6 +68,12 @@ void BlueProgressive::MultiNewDomainDistrib(unsigned n, const SampleCtx& parents
         children[i] = newBlueDomainDistrib((&parents)[i], scramble, newsampleid);
     }
 }
+
+unsigned BlueProgressive::ParentPattern(unsigned patternid, Scramble scramble) const {
+    return parentBluePattern(patternid, scramble);
+}
+
+unsigned BlueProgressive::PlaceBits() const { return kRankDigits; }
 
 } // namespace stream1
 } // namespace wellstrat
