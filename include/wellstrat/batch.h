@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The scalar functions of lookup.h, domain.h and hash.h over arrays, with the same bits.
+// The scalar functions of lookup.h, sequence.h, domain.h and hash.h over arrays, with the same
+// bits.
 //
 // All are compiled into the library. `n` may be 0, and then pointers may be null. Arrays need no
 // alignment beyond that of their type. Input and output may be the same array where their types
@@ -39,6 +40,16 @@ WELLSTRAT_API void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, 
                                       Float2* xis);
 WELLSTRAT_API void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, Order order,
                                       Float3* xis);
+
+/// xis[i] = the sample of contexts[i] in a domain of this order, as LongProgressive (long.h) draws
+/// it, for i in [0, n): jointSequenceSample1D, 2D and 3D for an order with a slot, else
+/// sequenceSample1D and its kin. Orders as above.
+WELLSTRAT_API void drawSequenceSamples1D(std::size_t n, const SampleCtx* contexts, Order order,
+                                         float* xis);
+WELLSTRAT_API void drawSequenceSamples2D(std::size_t n, const SampleCtx* contexts, Order order,
+                                         Float2* xis);
+WELLSTRAT_API void drawSequenceSamples3D(std::size_t n, const SampleCtx* contexts, Order order,
+                                         Float3* xis);
 
 /// children[i] = parents[i].NewDomain(scramble), for i in [0, n); likewise the others.
 WELLSTRAT_API void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble,

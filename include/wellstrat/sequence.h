@@ -30,15 +30,24 @@
 namespace wellstrat {
 inline namespace stream1 {
 
+namespace detail {
+constexpr uint32_t kSequenceKey = 0x73657175u; // "sequ"
+} // namespace detail
+
 /// Nested uniform scrambling of 32 digits, the first in bit 0, by a hash: a bijection in which
 /// output bit r is input bit r, flipped or not by a function of `key` and of the input bits below
-/// r. `key` is well mixed.
+/// r. `key` is a product by an odd number of a well-mixed word: its upper half is well mixed too,
+/// and goes into the lower half, since the lowest bit of all such products is the same.
+///
+/// That each single flip is fair and that any two are independent, in one tree and in the trees of
+/// two coordinates, is tested (tests/statistical/sequence_test.cpp); so is the error of integrals,
+/// against exact scrambling. docs/decisions/0015-hash-of-the-sequence.md has what else was tried.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t owenHash(uint32_t digits, uint32_t key) {
-    digits ^= digits * 0x3d20adeau;
-    digits += key;
+    digits += key ^ (key >> 16);
     digits *= (key >> 16) | 1u;
+    digits ^= digits * 0x3d20adeau; // multipliers of Vegdahl's hash for the same purpose,
+    digits += key >> 8; // https://psychopath.io/post/2021_01_30_building_a_better_lk_hash
     digits ^= digits * 0x05526c56u;
-    digits ^= digits * 0x53a22864u;
     return digits;
 }
 
@@ -50,7 +59,7 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t nestedShuffle(uint32_t index, uint32_t 
 
 /// What is needed of a pattern: a well-mixed word. All keys are this word times a constant.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceSeed(uint32_t patternid) {
-    return mixBits(patternid ^ 0x73657175u); // "sequ"
+    return mixBits(patternid ^ detail::kSequenceKey);
 }
 
 /// The keys of owenHash for a coordinate and of nestedShuffle, of a pattern with this seed. The

@@ -97,6 +97,21 @@ void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, Order order, F
     if (n > 0) chosenKernels().drawJoint3D(n, tables(), contexts, order.slot, order.splits, xis);
 }
 
+void drawSequenceSamples1D(std::size_t n, const SampleCtx* contexts, Order order, float* xis) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawSequence1D(n, contexts, order.slot, order.splits, xis);
+}
+
+void drawSequenceSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Float2* xis) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawSequence2D(n, contexts, order.slot, order.splits, xis);
+}
+
+void drawSequenceSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawSequence3D(n, contexts, order.slot, order.splits, xis);
+}
+
 void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {
     newDomainsSplit(n, parents, scramble, 1, children);
 }

@@ -5,6 +5,7 @@
 #include "wellstrat/domain.h"
 #include "wellstrat/joint_lookup.h"
 #include "wellstrat/lookup.h"
+#include "wellstrat/sequence_slots.h"
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -24,6 +25,16 @@ void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, 
                unsigned split, Sample* xis) {
     for (std::size_t i = 0; i < n; ++i) {
         xis[i] = kSample(words, contexts[i].patternid, contexts[i].sampleid, slot, split);
+    }
+}
+
+template <auto kPadded, auto kJoint, typename Sample>
+void drawSequence(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                  Sample* xis) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const SampleCtx sc = contexts[i];
+        xis[i] = slot == kJointSlots ? kPadded(sc.patternid, sc.sampleid)
+                                     : kJoint(sc.patternid, sc.sampleid, slot, split);
     }
 }
 
@@ -61,6 +72,9 @@ const Kernels kScalarKernels = {
     drawJoint<jointSample1D>,
     drawJoint<jointSample2D>,
     drawJoint<jointSample3D>,
+    drawSequence<sequenceSample1D, jointSequenceSample1D>,
+    drawSequence<sequenceSample2D, jointSequenceSample2D>,
+    drawSequence<sequenceSample3D, jointSequenceSample3D>,
     newDomainsSplit,
     newDomainsDistrib,
     hashToRandom,

@@ -7,6 +7,7 @@
 #include "RixRNG.h"
 #include "wellstrat/batch_target.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/sequence_slots.h"
 
 #include <gtest/gtest.h>
 
@@ -101,24 +102,37 @@ protected:
         });
     }
 
+    /// One batch of a function that takes an order.
+    template <typename Sample, typename Draw, typename Scalar>
+    static void checkOrdered(const std::vector<SampleCtx>& contexts, Draw draw, Order order,
+                             Scalar scalar) {
+        const std::size_t n = contexts.size();
+        const auto drawn =
+            guarded<Sample>(n, [&](Sample* xis) { draw(n, contexts.data(), order, xis); });
+        for (std::size_t i = 0; i < n; ++i) {
+            const SampleCtx sc = contexts[i];
+            ASSERT_TRUE(sameBits(drawn[i], scalar(sc.patternid, sc.sampleid)))
+                << i << " of " << n << ", slot " << order.slot << " split by " << order.splits;
+        }
+    }
+
+    template <typename Sample, typename Draw, typename Scalar>
+    void checkPaddedDraws(Draw draw, Scalar scalar) {
+        forBatches([&](const std::vector<SampleCtx>& contexts) {
+            checkOrdered<Sample>(contexts, draw, Order{}, scalar);
+        });
+    }
+
     /// With splits of all kinds: odd, powers of 2, both, and the largest.
     template <typename Sample, typename Draw, typename Scalar>
     void checkJointDraws(Draw draw, Scalar scalar) {
         unsigned slot = 0;
         for (const unsigned split : {1u, 2u, 3u, 8u, 12u, 100u, 255u, 256u}) {
             forBatches([&](const std::vector<SampleCtx>& contexts) {
-                const std::size_t n = contexts.size();
                 slot = (slot + 1) % kJointSlots;
-                const auto drawn = guarded<Sample>(n, [&](Sample* xis) {
-                    draw(n, contexts.data(), jointOrder(slot, split), xis);
-                });
-                for (std::size_t i = 0; i < n; ++i) {
-                    const SampleCtx sc = contexts[i];
-                    const Sample expected =
-                        scalar(tables(), sc.patternid, sc.sampleid, slot, split);
-                    ASSERT_TRUE(sameBits(drawn[i], expected))
-                        << i << " of " << n << ", slot " << slot << " split by " << split;
-                }
+                checkOrdered<Sample>(
+                    contexts, draw, jointOrder(slot, split),
+                    [=](unsigned p, unsigned s) { return scalar(p, s, slot, split); });
             });
         }
     }
@@ -154,11 +168,35 @@ TEST_P(BatchTarget, Draws3D) {
                        [](unsigned p, unsigned s) { return sample3D(p, s); });
 }
 
-TEST_P(BatchTarget, JointDraws1D) { checkJointDraws<float>(drawJointSamples1D, jointSample1D); }
+TEST_P(BatchTarget, JointDraws1D) {
+    checkJointDraws<float>(drawJointSamples1D,
+                           [](auto... sample) { return jointSample1D(tables(), sample...); });
+}
 
-TEST_P(BatchTarget, JointDraws2D) { checkJointDraws<Float2>(drawJointSamples2D, jointSample2D); }
+TEST_P(BatchTarget, JointDraws2D) {
+    checkJointDraws<Float2>(drawJointSamples2D,
+                            [](auto... sample) { return jointSample2D(tables(), sample...); });
+}
 
-TEST_P(BatchTarget, JointDraws3D) { checkJointDraws<Float3>(drawJointSamples3D, jointSample3D); }
+TEST_P(BatchTarget, JointDraws3D) {
+    checkJointDraws<Float3>(drawJointSamples3D,
+                            [](auto... sample) { return jointSample3D(tables(), sample...); });
+}
+
+TEST_P(BatchTarget, SequenceDraws1D) {
+    checkPaddedDraws<float>(drawSequenceSamples1D, sequenceSample1D);
+    checkJointDraws<float>(drawSequenceSamples1D, jointSequenceSample1D);
+}
+
+TEST_P(BatchTarget, SequenceDraws2D) {
+    checkPaddedDraws<Float2>(drawSequenceSamples2D, sequenceSample2D);
+    checkJointDraws<Float2>(drawSequenceSamples2D, jointSequenceSample2D);
+}
+
+TEST_P(BatchTarget, SequenceDraws3D) {
+    checkPaddedDraws<Float3>(drawSequenceSamples3D, sequenceSample3D);
+    checkJointDraws<Float3>(drawSequenceSamples3D, jointSequenceSample3D);
+}
 
 // Every sampleid for which vector code divides, by every split: it divides in floats, which must be
 // exact. Then those around the ends.
@@ -244,6 +282,8 @@ TEST(Batch, NothingIsReadOrWrittenForZeroPoints) {
     drawSamples1D(0, nullptr, nullptr);
     generateSamples3D(0, nullptr, nullptr);
     drawJointSamples2D(0, nullptr, jointOrder(0), nullptr);
+    drawSequenceSamples1D(0, nullptr, {}, nullptr);
+    drawSequenceSamples3D(0, nullptr, jointOrder(0, 3), nullptr);
     newDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
     hashToRandom(0, nullptr, nullptr);
     EXPECT_STREQ(chosenBatchTarget(), batchTarget(0));
