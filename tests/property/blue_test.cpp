@@ -133,7 +133,7 @@ TEST(BlueNets, HoldForAllRunsAndBlocks) {
     const detail::BlueTables& tables = detail::kBlueTables;
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
         const auto digits = [&](uint32_t index, uint32_t rank) {
-            return detail::blueDigits(tables.order[slot](index), tables.rank[slot](rank), 0);
+            return detail::movedDigits(slotDigits(0, index, slot, 1), tables.rank[slot](rank), 0);
         };
         for (unsigned a = 0; a <= 6; ++a) {
             for (unsigned k = 0; k <= 12; ++k) {
@@ -146,7 +146,7 @@ TEST(BlueNets, HoldForAllRunsAndBlocks) {
 // In padded domains for runs of any length, since they have no blocks of 4096.
 TEST(BlueNets, PaddedHoldForLongRuns) {
     const auto digits = [&](uint32_t index, uint32_t rank) {
-        return detail::blueDigits(index, rankWord(rank), 0);
+        return detail::movedDigits(sequenceDigits(index), rankWord(rank), 0);
     };
     for (unsigned a = 0; a <= 6; ++a) {
         for (unsigned k = 0; k + 2 * a <= 32; ++k) {
@@ -157,12 +157,14 @@ TEST(BlueNets, PaddedHoldForLongRuns) {
 
 TEST(BlueDigits, AreThoseOfTheRank) {
     for (uint32_t rank = 0; rank < kRanks; ++rank) {
-        const PointDigits point = detail::blueDigits(0, rankWord(rank), 0);
+        const PointDigits point = detail::movedDigits({0, 0, 0}, rankWord(rank), 0);
         ASSERT_EQ(point.x, rankTimes(rankMatrix(0), rank)) << rank;
         ASSERT_EQ(point.y, rankTimes(rankMatrix(1), rank)) << rank;
         ASSERT_EQ(point.z, rankTimes(rankMatrix(2), rank)) << rank;
-        const PointDigits exchanged = detail::blueDigits(77, rankWord(rank), 0x80000000u);
-        ASSERT_EQ(exchanged.x, pascalTimes(77) ^ point.y) << rank;
+        const PointDigits exchanged = detail::movedDigits({1, 2, 3}, rankWord(rank), 0x80000000u);
+        ASSERT_EQ(exchanged.x, 2u ^ point.y) << rank;
+        ASSERT_EQ(exchanged.y, 1u ^ point.x) << rank;
+        ASSERT_EQ(exchanged.z, 3u ^ point.z) << rank;
     }
 }
 
