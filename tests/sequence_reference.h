@@ -29,7 +29,14 @@ inline std::array<uint32_t, 3> referencePoint(uint32_t seed, uint32_t index) {
 }
 
 inline uint32_t referenceShuffle(uint32_t seed, uint32_t index) {
-    return reverseBits(owenHash(reverseBits(index), shuffleKey(seed)));
+    return reverseBits(owenHash(reverseBits(index), seed));
+}
+
+/// The index of a sample without slots: the swaps of all runs that begin at 0 and are longer than
+/// 2^16 are undone.
+inline uint32_t referenceIndex(uint32_t seed, uint32_t sampleid) {
+    const uint32_t undone = referenceShuffle(seed, 0) >> 16 << 16;
+    return referenceShuffle(seed, sampleid) ^ undone;
 }
 
 /// The place of visit i of a slot.

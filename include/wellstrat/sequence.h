@@ -30,25 +30,20 @@
 namespace wellstrat {
 inline namespace stream1 {
 
-namespace detail {
-constexpr uint32_t kSequenceKey = 0x73657175u; // "sequ"
-} // namespace detail
-
 /// Nested uniform scrambling of 32 digits, the first in bit 0, by a hash: a bijection in which
 /// output bit r is input bit r, flipped or not by a function of `key` and of the input bits below
-/// r. `key` is a product by an odd number of a well-mixed word: its upper half is well mixed too,
-/// and goes into the lower half, since the lowest bit of all such products is the same.
+/// r. `key` is a well-mixed word, or the product of one by an odd number: as the lowest bit of all
+/// such products is the same, the first digits take those in the middle.
 ///
 /// That each single flip is fair and that any two are independent, in one tree and in the trees of
-/// two coordinates, is tested (tests/statistical/sequence_test.cpp); so is the error of integrals,
-/// against exact scrambling. docs/decisions/0015-hash-of-the-sequence.md has what else was tried.
+/// two coordinates, is tested (tests/statistical/sequence_test.cpp), and so is the error of
+/// integrals against exact scrambling; docs/decisions/0015-hash-of-the-sequence.md has what else
+/// was tried.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t owenHash(uint32_t digits, uint32_t key) {
-    digits += key ^ (key >> 16);
-    digits *= (key >> 16) | 1u;
-    digits ^= digits * 0x3d20adeau; // multipliers of Vegdahl's hash for the same purpose,
-    digits += key >> 8; // https://psychopath.io/post/2021_01_30_building_a_better_lk_hash
-    digits ^= digits * 0x05526c56u;
-    return digits;
+    digits += (key >> 16) | (key << 16);
+    digits *= (key >> 7) | 1u;
+    digits ^= digits * 0x3d20adeau; // of Vegdahl's hash for the same purpose,
+    return digits; // https://psychopath.io/post/2021_01_30_building_a_better_lk_hash
 }
 
 /// A nested shuffle of all indices: every aligned run of 2^m becomes an aligned run of 2^m, for
@@ -57,22 +52,45 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t nestedShuffle(uint32_t index, uint32_t 
     return reverseBits(owenHash(reverseBits(index), key));
 }
 
-/// What is needed of a pattern: a well-mixed word. All keys are this word times a constant.
+namespace detail {
+
+constexpr uint32_t kSequenceKey = 0x73657175u; // "sequ"
+
+/// Bits 0 to 15 of `x` in opposite order, as bits 16 to 31.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseLowHalf(uint32_t x) {
+    return reverseLowByte(x) | (reverseLowByte(x >> 8) >> 8);
+}
+
+/// The bits of `x` in opposite order.
+WELLSTRAT_HOST_DEVICE constexpr uint64_t reverseBits64(uint64_t x) {
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+    // Sums, since processors add a multiple in one instruction.
+    x = __builtin_bswap64(x);
+    x = ((x & 0x0f0f0f0f0f0f0f0fu) << 4) + ((x >> 4) & 0x0f0f0f0f0f0f0f0fu);
+    x = ((x & 0x3333333333333333u) << 2) + ((x >> 2) & 0x3333333333333333u);
+    return ((x & 0x5555555555555555u) << 1) + ((x >> 1) & 0x5555555555555555u);
+#else
+    return uint64_t{reverseBits(static_cast<uint32_t>(x))} << 32 |
+           reverseBits(static_cast<uint32_t>(x >> 32));
+#endif
+}
+
+} // namespace detail
+
+/// What is needed of a pattern: a well-mixed word. All keys are this word times an odd constant.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceSeed(uint32_t patternid) {
     return mixBits(patternid ^ detail::kSequenceKey);
 }
 
-/// The keys of owenHash for a coordinate and of nestedShuffle, of a pattern with this seed. The
-/// multipliers are fractional parts of square roots of primes: numbers that nobody has chosen.
+/// The key of owenHash for a coordinate of a pattern with this seed; that of the shuffle is the
+/// seed itself. The multipliers are fractional parts of square roots of primes: numbers that nobody
+/// has chosen.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t scramblingKey(uint32_t seed, Coordinate coordinate) {
     switch (coordinate) {
     case Coordinate::x: return seed * 0xbb67ae85u; // sqrt(3)
     case Coordinate::y: return seed * 0x3c6ef373u; // sqrt(5)
     default: return seed * 0xa54ff53bu;            // sqrt(7), rounded to odd
     }
-}
-WELLSTRAT_HOST_DEVICE constexpr uint32_t shuffleKey(uint32_t seed) {
-    return seed * 0x510e527fu; // sqrt(11)
 }
 
 /// The digits of a point before they are scrambled, each word with the first one in bit 0.
@@ -94,21 +112,67 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t scrambledBits(uint32_t digits, uint32_t
 
 /// z, (x, y) and (x, y, z) of a point, scrambled for a pattern with this seed, in [0, 1): those
 /// bits by toUnitFloat.
-WELLSTRAT_HOST_DEVICE constexpr float scrambledSampleZ(PointDigits point, uint32_t seed) {
+WELLSTRAT_HOST_DEVICE inline float scrambledSampleZ(PointDigits point, uint32_t seed) {
     return toUnitFloat(scrambledBits(point.z, seed, Coordinate::z));
 }
-WELLSTRAT_HOST_DEVICE constexpr Float2 scrambledSampleXY(PointDigits point, uint32_t seed) {
-    return {toUnitFloat(scrambledBits(point.x, seed, Coordinate::x)),
-            toUnitFloat(scrambledBits(point.y, seed, Coordinate::y))};
+WELLSTRAT_HOST_DEVICE inline Float2 scrambledSampleXY(PointDigits point, uint32_t seed) {
+    const uint64_t x = owenHash(point.x, scramblingKey(seed, Coordinate::x));
+    const uint64_t y = owenHash(point.y, scramblingKey(seed, Coordinate::y));
+    return toUnitFloats(detail::reverseBits64(x << 32 | y));
 }
-WELLSTRAT_HOST_DEVICE constexpr Float3 scrambledSampleXYZ(PointDigits point, uint32_t seed) {
+WELLSTRAT_HOST_DEVICE inline Float3 scrambledSampleXYZ(PointDigits point, uint32_t seed) {
     const Float2 xy = scrambledSampleXY(point, seed);
     return {xy.x, xy.y, scrambledSampleZ(point, seed)};
 }
 
-/// The index of the point of sample `sampleid` of a pattern with this seed.
+/// The index of the point of sample `sampleid` of a pattern with this seed: its nested shuffle, by
+/// exclusive or with a constant that keeps the first 2^16 samples below 2^16. Under Owen's
+/// scrambling that changes nothing but what these cost.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceIndex(uint32_t seed, uint32_t sampleid) {
-    return nestedShuffle(sampleid, shuffleKey(seed));
+    return nestedShuffle(sampleid, seed) ^ (nestedShuffle(0, seed) & 0xffff0000u);
+}
+
+namespace detail {
+
+/// sequenceDigits of what the two bytes of an index below 2^16 are in opposite order, the upper
+/// byte first: that of byte b is xy[0][b], x in the lower half, and z[0][b].
+struct DigitsOfBytes {
+    uint32_t xy[2][256];
+    uint16_t z[2][256];
+
+    constexpr DigitsOfBytes() : xy(), z() {
+        for (uint32_t place = 0; place < 2; ++place) {
+            for (uint32_t byte = 0; byte < 256; ++byte) {
+                const PointDigits point =
+                    sequenceDigits(reverseBits(byte) >> (place == 0 ? 16 : 24));
+                xy[place][byte] = point.x | point.y << 16;
+                z[place][byte] = static_cast<uint16_t>(point.z);
+            }
+        }
+    }
+};
+
+inline constexpr DigitsOfBytes kDigitsOfBytes;
+
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE constexpr PointDigits laterPoint(uint32_t seed,
+                                                                          uint32_t sampleid) {
+    return sequenceDigits(sequenceIndex(seed, sampleid));
+}
+
+} // namespace detail
+
+/// sequenceDigits(sequenceIndex(seed, sampleid)).
+WELLSTRAT_HOST_DEVICE constexpr PointDigits sequencePoint(uint32_t seed, uint32_t sampleid) {
+#if defined(__CUDA_ARCH__)
+    return detail::laterPoint(seed, sampleid);
+#else
+    if (WELLSTRAT_UNLIKELY(sampleid >= 0x10000u)) return detail::laterPoint(seed, sampleid);
+    const uint32_t shuffled = owenHash(detail::reverseLowHalf(sampleid), seed);
+    const uint32_t lower = shuffled >> 24, upper = (shuffled >> 16) & 0xffu;
+    const detail::DigitsOfBytes& digits = detail::kDigitsOfBytes;
+    const uint32_t xy = digits.xy[0][upper] ^ digits.xy[1][lower];
+    return {xy & 0xffffu, xy >> 16, uint32_t{digits.z[0][upper]} ^ digits.z[1][lower]};
+#endif
 }
 
 /// A coordinate of sample `sampleid` of pattern `patternid` as a fraction of 2^32. Any two integers
@@ -116,7 +180,7 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceIndex(uint32_t seed, uint32_t s
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceBits(uint32_t patternid, uint32_t sampleid,
                                                       Coordinate coordinate) {
     const uint32_t seed = sequenceSeed(patternid);
-    const PointDigits point = sequenceDigits(sequenceIndex(seed, sampleid));
+    const PointDigits point = sequencePoint(seed, sampleid);
     switch (coordinate) {
     case Coordinate::x: return scrambledBits(point.x, seed, coordinate);
     case Coordinate::y: return scrambledBits(point.y, seed, coordinate);
@@ -125,17 +189,17 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceBits(uint32_t patternid, uint32
 }
 
 /// z, (x, y) and (x, y, z) of a sample in [0, 1): those bits by toUnitFloat.
-WELLSTRAT_HOST_DEVICE constexpr float sequenceSample1D(uint32_t patternid, uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE inline float sequenceSample1D(uint32_t patternid, uint32_t sampleid) {
     const uint32_t seed = sequenceSeed(patternid);
-    return scrambledSampleZ(sequenceDigits(sequenceIndex(seed, sampleid)), seed);
+    return scrambledSampleZ(sequencePoint(seed, sampleid), seed);
 }
-WELLSTRAT_HOST_DEVICE constexpr Float2 sequenceSample2D(uint32_t patternid, uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE inline Float2 sequenceSample2D(uint32_t patternid, uint32_t sampleid) {
     const uint32_t seed = sequenceSeed(patternid);
-    return scrambledSampleXY(sequenceDigits(sequenceIndex(seed, sampleid)), seed);
+    return scrambledSampleXY(sequencePoint(seed, sampleid), seed);
 }
-WELLSTRAT_HOST_DEVICE constexpr Float3 sequenceSample3D(uint32_t patternid, uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE inline Float3 sequenceSample3D(uint32_t patternid, uint32_t sampleid) {
     const uint32_t seed = sequenceSeed(patternid);
-    return scrambledSampleXYZ(sequenceDigits(sequenceIndex(seed, sampleid)), seed);
+    return scrambledSampleXYZ(sequencePoint(seed, sampleid), seed);
 }
 
 } // namespace stream1

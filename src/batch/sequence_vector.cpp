@@ -35,12 +35,17 @@ public:
         if (!hn::AllTrue(kWords, hn::Eq(sampleid, sampleid_))) {
             sampleid_ = sampleid;
             reversed_ = reverseBits(sampleid);
+            hasLater_ = !hn::AllFalse(kWords, hn::Gt(sampleid, constant(0xffff)));
         }
-        return sequenceDigits(reverseBits(owenHash(reversed_, shuffleKey(seed))));
+        const V hashed = owenHash(reversed_, seed);
+        if (HWY_LIKELY(!hasLater_)) return sequenceDigitsOfReversed<16>(hashed);
+        const V undone = hn::And(owenHash(hn::Zero(kWords), seed), constant(0xffff));
+        return sequenceDigitsOfReversed<32>(hn::Xor(hashed, undone));
     }
 
 private:
     V sampleid_, reversed_;
+    bool hasLater_ = false;
 };
 
 /// slotDigits without splits. What the bank gives is kept in the same way.
@@ -56,11 +61,10 @@ public:
         V index = hn::IfThenElse(swapped, swapped_, places_);
         V y = hn::IfThenElse(swapped, places_, swapped_);
         if (HWY_UNLIKELY(hasBlocks_)) {
-            const V key = shuffleKey(seed);
             const V block =
                 hn::IfThenZeroElse(hn::Eq(block_, hn::Zero(kWords)),
-                                   hn::Xor(reverseBits(owenHash(reverseBits(block_), key)),
-                                           reverseBits(owenHash(hn::Zero(kWords), key))));
+                                   hn::Xor(reverseBits(owenHash(reverseBits(block_), seed)),
+                                           reverseBits(owenHash(hn::Zero(kWords), seed))));
             index = hn::Xor(index, block);
             y = hn::Xor(y, pascalTimes(block));
         }

@@ -12,6 +12,7 @@
 #define WELLSTRAT_BATCH_SEQUENCE_WORDS_H
 #endif
 
+#include "batch/byte_maps.h"
 #include "batch/vector_words.h"
 
 #include "wellstrat/sequence.h"
@@ -23,23 +24,37 @@ inline namespace stream1 {
 namespace batch {
 namespace HWY_NAMESPACE {
 
-/// By nibbles, of the bytes in opposite order.
-HWY_INLINE V reverseBits(V x) {
-    alignas(16) static constexpr uint8_t kBytes[16] = {3,  2,  1, 0, 7,  6,  5,  4,
-                                                       11, 10, 9, 8, 15, 14, 13, 12};
-    alignas(16) static constexpr uint8_t kNibbles[16] = {0, 8, 4, 12, 2, 10, 6, 14,
-                                                         1, 9, 5, 13, 3, 11, 7, 15};
+/// Which byte of a word each byte of another one is; kNone: 0.
+constexpr uint8_t kNone = 0x80;
+template <uint8_t k0, uint8_t k1, uint8_t k2, uint8_t k3>
+HWY_INLINE V bytesOf(V x) {
+    alignas(16) static constexpr uint8_t kIndices[16] = {
+        k0,     k1,     k2,     k3,     k0 + 4,  k1 + 4,  k2 + 4,  k3 + 4,
+        k0 + 8, k1 + 8, k2 + 8, k3 + 8, k0 + 12, k1 + 12, k2 + 12, k3 + 12};
     constexpr Bytes bytes;
-    const auto table = hn::LoadDup128(bytes, kNibbles);
-    const auto swapped = hn::TableLookupBytes(hn::BitCast(bytes, x), hn::LoadDup128(bytes, kBytes));
-    const V nibble = constant(0x0f0f0f0fu);
-    const V low = hn::And(hn::BitCast(kWords, swapped), nibble);
-    const V high = hn::And(hn::ShiftRight<4>(hn::BitCast(kWords, swapped)), nibble);
-    const auto reversed = [&](V nibbles) {
-        return hn::BitCast(kWords, hn::TableLookupBytes(table, hn::BitCast(bytes, nibbles)));
-    };
-    return hn::Or(hn::ShiftLeft<4>(reversed(low)), reversed(high));
+    return hn::BitCast(
+        kWords, hn::TableLookupBytesOr0(hn::BitCast(bytes, x), hn::LoadDup128(bytes, kIndices)));
 }
+
+/// The nibbles of all bytes of a vector of words.
+struct Nibbles {
+    V low, high;
+};
+HWY_INLINE Nibbles nibblesOf(V x) {
+    const V nibble = constant(0x0f0f0f0fu);
+    return {hn::And(x, nibble), hn::And(hn::ShiftRight<4>(x), nibble)};
+}
+
+HWY_INLINE V mapped(const ByteMap& map, Nibbles nibbles) {
+    constexpr Bytes bytes;
+    const auto low =
+        hn::TableLookupBytes(hn::LoadDup128(bytes, map.low), hn::BitCast(bytes, nibbles.low));
+    const auto high =
+        hn::TableLookupBytes(hn::LoadDup128(bytes, map.high), hn::BitCast(bytes, nibbles.high));
+    return hn::BitCast(kWords, hn::Xor(low, high));
+}
+
+HWY_INLINE V reverseBits(V x) { return mapped(kReversed, nibblesOf(bytesOf<3, 2, 1, 0>(x))); }
 
 /// x ^ ((x >> kShift) & mask)
 template <int kShift>
@@ -47,29 +62,21 @@ HWY_INLINE V xorMasked(V x, uint32_t mask) {
     return hn::Xor(x, hn::And(hn::ShiftRight<kShift>(x), constant(mask)));
 }
 
-HWY_INLINE V pascalTimes(V index) {
-    index = xorMasked<1>(index, 0x55555555u);
-    index = xorMasked<2>(index, 0x33333333u);
-    index = xorMasked<4>(index, 0x0f0f0f0fu);
-    index = xorMasked<8>(index, 0x00ff00ffu);
-    return xorShifted<16>(index);
-}
+/// pascalTimes of words whose bytes have been mapped.
+HWY_INLINE V pascalOfBytes(V bytes) { return xorShifted<16>(xorMasked<8>(bytes, 0x00ff00ffu)); }
+
+HWY_INLINE V pascalTimes(V index) { return pascalOfBytes(mapped(kPascal, nibblesOf(index))); }
 
 HWY_INLINE V trinomialTimes(V index) {
     index = xorMasked<16>(xorMasked<8>(index, 0x00ffff00u), 0x000000ffu);
     index = xorMasked<8>(xorMasked<4>(index, 0x0ff00ff0u), 0x000f000fu);
-    index = xorMasked<4>(xorMasked<2>(index, 0x3c3c3c3cu), 0x03030303u);
-    index = xorMasked<2>(xorMasked<1>(index, 0x66666666u), 0x11111111u);
-    return xorMasked<1>(index, 0x55555555u);
+    return mapped(kTrinomial, nibblesOf(index));
 }
 
 HWY_INLINE V owenHash(V digits, V key) {
-    const V upper = hn::ShiftRight<16>(key);
-    digits = hn::Add(digits, hn::Xor(key, upper));
-    digits = hn::Mul(digits, hn::Or(upper, constant(1)));
-    digits = hn::Xor(digits, hn::Mul(digits, constant(0x3d20adeau)));
-    digits = hn::Add(digits, hn::ShiftRight<8>(key));
-    return hn::Xor(digits, hn::Mul(digits, constant(0x05526c56u)));
+    digits = hn::Add(digits, bytesOf<2, 3, 0, 1>(key));
+    digits = hn::Mul(digits, hn::Or(hn::ShiftRight<7>(key), constant(1)));
+    return hn::Xor(digits, hn::Mul(digits, constant(0x3d20adeau)));
 }
 
 HWY_INLINE V sequenceSeed(V patternid) {
@@ -80,8 +87,6 @@ HWY_INLINE V scramblingKey(V seed, Coordinate coordinate) {
     return hn::Mul(seed, constant(stream1::scramblingKey(1, coordinate)));
 }
 
-HWY_INLINE V shuffleKey(V seed) { return hn::Mul(seed, constant(stream1::shuffleKey(1))); }
-
 /// PointDigits of a vector of points.
 struct PointVectors {
     V x, y, z;
@@ -91,8 +96,23 @@ HWY_INLINE PointVectors sequenceDigits(V index) {
     return {index, pascalTimes(index), trinomialTimes(index)};
 }
 
+/// sequenceDigits of the indices that `hashed` has in opposite order, in their low kDigits bits.
+template <int kDigits>
+HWY_INLINE PointVectors sequenceDigitsOfReversed(V hashed) {
+    static_assert(kDigits == 16 || kDigits == 32);
+    const Nibbles nibbles = nibblesOf(kDigits == 16 ? bytesOf<3, 2, kNone, kNone>(hashed)
+                                                    : bytesOf<3, 2, 1, 0>(hashed));
+    const V index = mapped(kReversed, nibbles);
+    const V pascal = mapped(kPascalOfReversed, nibbles);
+    if (kDigits == 32) return {index, pascalOfBytes(pascal), trinomialTimes(index)};
+    const V upper = xorMasked<8>(xorMasked<4>(index, 0x0ff0u), 0x000fu);
+    return {index, xorShifted<8>(pascal), mapped(kTrinomial, nibblesOf(upper))};
+}
+
 HWY_INLINE F scrambledSample(V digits, V seed, Coordinate coordinate) {
-    return toUnitFloat(reverseBits(owenHash(digits, scramblingKey(seed, coordinate))));
+    const V hashed = owenHash(digits, scramblingKey(seed, coordinate));
+    // The upper 24 of the 32 bits in opposite order.
+    return scaledFloat(mapped(kReversed, nibblesOf(bytesOf<2, 1, 0, kNone>(hashed))));
 }
 
 /// scrambledSampleZ, XY and XYZ of a vector of points, into xis[0, kLanes).

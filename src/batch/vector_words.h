@@ -58,11 +58,13 @@ HWY_INLINE V mixBits(V x, V multiplier) {
 
 HWY_INLINE V mixBits(V x) { return mixBits(x, constant(detail::kSecondMultiplier)); }
 
-HWY_INLINE F toUnitFloat(V v) {
+/// v * 2^-24, v below 2^24.
+HWY_INLINE F scaledFloat(V v) {
     const hn::RebindToSigned<Words> integers;
-    const auto integer = hn::BitCast(integers, hn::ShiftRight<8>(v));
-    return hn::Mul(hn::ConvertTo(kFloats, integer), hn::Set(kFloats, 0x1p-24f));
+    return hn::Mul(hn::ConvertTo(kFloats, hn::BitCast(integers, v)), hn::Set(kFloats, 0x1p-24f));
 }
+
+HWY_INLINE F toUnitFloat(V v) { return scaledFloat(hn::ShiftRight<8>(v)); }
 
 HWY_INLINE void load(const SampleCtx* contexts, V& patternid, V& sampleid) {
     hn::LoadInterleaved2(kWords, reinterpret_cast<const uint32_t*>(contexts), patternid, sampleid);

@@ -80,30 +80,36 @@ TEST(Sequence, LargeBlocksAreStratified) {
     }
 }
 
-// Runs as long as they come: the last two samples before the middle and before the end of all, and
-// those after, are where a shuffle with too few levels would leave them.
-TEST(Sequence, HalvesOfAllSamplesAreHalvesOfTheIndices) {
-    unsigned swapped[3] = {0, 0, 0};
+// At every level, halves of runs are halves of the indices, swapped or not with even chances; but
+// for the runs from 0 on that are longer than 2^16, which are never swapped. Guards against a
+// shuffle with too few levels.
+TEST(Sequence, HalvesOfRunsAreSwappedAtEveryLevel) {
     constexpr unsigned kSeeds = 256;
-    for (unsigned i = 0; i < kSeeds; ++i) {
-        const uint32_t seed = sequenceSeed(patternNumber(i));
-        const unsigned levels[3] = {31, 24, 16};
-        for (unsigned k = 0; k < 3; ++k) {
-            const uint32_t half = 1u << levels[k];
-            const uint32_t a = sequenceIndex(seed, 0), b = sequenceIndex(seed, half);
-            ASSERT_EQ((a ^ b) >> levels[k], 1u);
-            swapped[k] += a >> levels[k] & 1u;
+    for (unsigned level = 0; level < 29; ++level) {
+        const uint32_t half = 1u << level;
+        unsigned swapped[2] = {0, 0}; // of the run from 0 on, and of one in the upper half of all
+        for (unsigned i = 0; i < kSeeds; ++i) {
+            const uint32_t seed = sequenceSeed(patternNumber(i));
+            const uint32_t starts[2] = {0, 5u << 29};
+            for (unsigned k = 0; k < 2; ++k) {
+                const uint32_t a = sequenceIndex(seed, starts[k]);
+                ASSERT_EQ((a ^ sequenceIndex(seed, starts[k] + half)) >> level, 1u);
+                swapped[k] += a >> level & 1u;
+            }
+        }
+        // Fair coins: a standard deviation of 8, and 7 of them have a false-alarm rate of 3e-12.
+        for (unsigned k = 0; k < 2; ++k) {
+            const double expected = k == 0 && level >= 16 ? 0 : kSeeds / 2.0;
+            EXPECT_NEAR(swapped[k], expected, expected > 0 ? 7 * 8.0 : 0) << level;
         }
     }
-    // Fair coins: a standard deviation of 8, and 7 of them have a false-alarm rate of 3e-12.
-    for (const unsigned count : swapped) EXPECT_NEAR(count, kSeeds / 2.0, 7 * 8.0);
 }
 
 TEST(Sequence, SamplesAreThoseOfTheDefinition) {
     for (unsigned i = 0; i < 2000; ++i) {
         const uint32_t pattern = patternNumber(i % 50), seed = sequenceSeed(pattern);
         const uint32_t sampleid = i % 3 == 0 ? i : hashPair(4, i);
-        const auto bits = referencePoint(seed, referenceShuffle(seed, sampleid));
+        const auto bits = referencePoint(seed, referenceIndex(seed, sampleid));
         const auto unit = [](uint32_t v) { return static_cast<float>(v >> 8) * 0x1p-24f; };
         const Float3 expected{unit(bits[0]), unit(bits[1]), unit(bits[2])};
         for (unsigned c = 0; c < 3; ++c) {
@@ -116,7 +122,8 @@ TEST(Sequence, SamplesAreThoseOfTheDefinition) {
 }
 
 // Compilers may know samples.
-static_assert(sequenceSample3D(1, 2).z == sequenceSample1D(1, 2), "a constant expression");
+static_assert(sequenceBits(1, 2, Coordinate::z) != sequenceBits(1, 3, Coordinate::z),
+              "a constant expression");
 
 // ---- slots
 
