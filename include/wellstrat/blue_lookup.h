@@ -74,8 +74,7 @@ struct BluePoint {
 inline BluePoint bluePoint(uint32_t patternid, uint32_t sampleid) {
     const uint32_t seed = stateSeed(patternid);
     const uint32_t place = movedPlace(patternid & kPlaceBits, placeKey(seed));
-    const PointDigits point = sequenceDigits(sequenceIndex(seed, sampleid));
-    return {movedDigits(point, kBlueTables.padded[place], seed), seed};
+    return {movedDigits(sequencePoint(seed, sampleid), kBlueTables.padded[place], seed), seed};
 }
 
 /// Of slots. All slots of a path are stratified together by having one index and one rank, each in

@@ -13,7 +13,7 @@
 #include "hwy/foreach_target.h"
 
 #include "batch/blue_vector.h"
-#include "batch/sequence_words.h"
+#include "batch/sequence_orders.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -88,20 +88,42 @@ private:
     V shift_, flip_, exchange_;
 };
 
-// The two kinds of domains. place(patternid, seed) is where the ranks of pixels stand, rank(place)
-// their words, point(seed, sampleid) what they move. What these need of states and sampleids is
-// kept from vector to vector: in a coherent batch all pixels of a tile have the same.
+/// What an order gives, kept from vector to vector: in a coherent batch all pixels of a tile have
+/// one point.
+template <typename Order>
+class KeptPoint {
+public:
+    HWY_INLINE explicit KeptPoint(Order order)
+        : order_(order), seed_(hn::Zero(kWords)), sampleid_(seed_),
+          point_(order_.point(seed_, sampleid_)) {}
+
+    HWY_INLINE PointVectors point(V seed, V sampleid) {
+        if (!same(seed, seed_) || !same(sampleid, sampleid_)) {
+            seed_ = seed;
+            sampleid_ = sampleid;
+            point_ = order_.point(seed, sampleid);
+        }
+        return point_;
+    }
+
+private:
+    Order order_;
+    V seed_, sampleid_;
+    PointVectors point_;
+};
+
+// The two kinds of domains. places(patternid, seed) is where the ranks of pixels stand, rank(place)
+// the word of one, point(seed, sampleid) what they move.
 
 /// bluePoint.
 class PaddedDomain {
 public:
     HWY_INLINE PaddedDomain()
-        : placeSeed_(hn::Zero(kWords)), seed_(placeSeed_), sampleid_(placeSeed_),
-          mover_(placeSeed_), point_(pointOf(seed_, sampleid_)) {}
+        : points_(ShuffledSequence()), seed_(hn::Zero(kWords)), mover_(seed_) {}
 
     HWY_INLINE V places(V patternid, V seed) {
-        if (!same(seed, placeSeed_)) {
-            placeSeed_ = seed;
+        if (!same(seed, seed_)) {
+            seed_ = seed;
             mover_ = Mover(hn::Mul(seed, constant(detail::placeKey(1))));
         }
         return mover_.movedPlace(hn::And(patternid, constant(detail::kPlaceBits)));
@@ -109,33 +131,19 @@ public:
 
     static detail::RankWord rank(uint32_t place) { return detail::kBlueTables.padded[place]; }
 
-    HWY_INLINE PointVectors point(V seed, V sampleid) {
-        if (!same(seed, seed_) || !same(sampleid, sampleid_)) {
-            seed_ = seed;
-            sampleid_ = sampleid;
-            point_ = pointOf(seed, sampleid);
-        }
-        return point_;
-    }
+    HWY_INLINE PointVectors point(V seed, V sampleid) { return points_.point(seed, sampleid); }
 
 private:
-    static HWY_INLINE PointVectors pointOf(V seed, V sampleid) {
-        return sequenceDigits(reverseBits(owenHash(reverseBits(sampleid), shuffleKey(seed))));
-    }
-
-    V placeSeed_, seed_, sampleid_;
+    KeptPoint<ShuffledSequence> points_;
+    V seed_;
     Mover mover_;
-    PointVectors point_;
 };
 
-/// blueSlotPoint. Its points are computed sample by sample.
+/// blueSlotPoint.
+template <typename Order>
 class SlotDomain {
 public:
-    HWY_INLINE SlotDomain(unsigned slot, unsigned split)
-        : slot_(slot), split_(split), seed_(hn::Zero(kWords)),
-          sampleid_(seed_), point_{seed_, seed_, seed_} {
-        keep(seed_, sampleid_);
-    }
+    HWY_INLINE SlotDomain(unsigned slot, Order order) : slot_(slot), points_(order) {}
 
     HWY_INLINE V places(V patternid, V /*seed*/) const {
         return hn::And(patternid, constant(detail::kPlaceBits));
@@ -146,33 +154,12 @@ public:
     }
 
     HWY_INLINE PointVectors point(V seed, V sampleid) {
-        if (!same(sampleid, sampleid_) || (needsSeed_ && !same(seed, seed_))) keep(seed, sampleid);
-        return point_;
+        return points_.point(hn::And(seed, constant(~detail::kSlotSwapBit)), sampleid);
     }
 
 private:
-    HWY_NOINLINE void keep(V seed, V sampleid) {
-        HWY_ALIGN uint32_t seeds[kLanes], ids[kLanes], x[kLanes], y[kLanes], z[kLanes];
-        hn::Store(seed, kWords, seeds);
-        hn::Store(sampleid, kWords, ids);
-        needsSeed_ = split_ != 1;
-        for (std::size_t i = 0; i < kLanes; ++i) {
-            const PointDigits point =
-                slotDigits(seeds[i] & ~detail::kSlotSwapBit, ids[i], slot_, split_);
-            x[i] = point.x;
-            y[i] = point.y;
-            z[i] = point.z;
-            needsSeed_ |= ids[i] >> kSlotDigits != 0;
-        }
-        seed_ = seed;
-        sampleid_ = sampleid;
-        point_ = {hn::Load(kWords, x), hn::Load(kWords, y), hn::Load(kWords, z)};
-    }
-
-    unsigned slot_, split_;
-    bool needsSeed_ = false;
-    V seed_, sampleid_;
-    PointVectors point_;
+    unsigned slot_;
+    KeptPoint<Order> points_;
 };
 
 /// movedDigits, for `ranksZ` that are looked up already.
@@ -235,7 +222,11 @@ template <typename Sample>
 HWY_INLINE void draw(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
                      Sample* xis) {
     if (slot == kJointSlots) return drawDomain(n, contexts, PaddedDomain(), xis);
-    drawDomain(n, contexts, SlotDomain(slot, split), xis);
+    if (split == 1) {
+        return drawDomain(n, contexts, SlotDomain<SlotSequence>(slot, SlotSequence(slot)), xis);
+    }
+    drawDomain(n, contexts, SlotDomain<SplitSlotSequence>(slot, SplitSlotSequence(slot, split)),
+               xis);
 }
 
 } // namespace
