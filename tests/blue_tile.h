@@ -6,6 +6,7 @@
 
 #include "RixRNG.h"
 #include "wellstrat/blue.h"
+#include "wellstrat/blue_lookup.h"
 
 #include <cstdint>
 #include <utility>

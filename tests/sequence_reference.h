@@ -29,7 +29,7 @@ inline std::array<uint32_t, 3> referencePoint(uint32_t seed, uint32_t index) {
 }
 
 inline uint32_t referenceShuffle(uint32_t seed, uint32_t index) {
-    return reverseBits(owenHash(reverseBits(index), seed));
+    return reverseBits(owenHash(reverseBits(index), shuffleKey(seed)));
 }
 
 /// The index of a sample without slots: the swaps of all runs that begin at 0 and are longer than

@@ -69,16 +69,6 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t movedPlace(uint32_t place, uint32_t has
     return moved ^ exchanged ^ exchanged << 6;
 }
 
-/// A well-mixed word of a state: what sequenceSeed is for other generators.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t stateSeed(uint32_t patternid) {
-    return wellstrat::mixBits((patternid >> 12) + kBlueKey);
-}
-
-/// The key of movedPlace for a state with this seed: another multiple than those of sequence.h.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t placeKey(uint32_t seed) {
-    return seed * 0x1f83d9abu; // sqrt(17)
-}
-
 } // namespace detail
 
 /// The pattern of the domain `scramble` under `patternid`, as BlueProgressive derives it: another

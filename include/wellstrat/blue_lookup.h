@@ -53,6 +53,16 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t rankSeries(uint32_t numerator) {
     return numerator ^ numerator << 8 ^ numerator << 24;
 }
 
+/// What is needed of a state; see sequenceSeed.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t stateSeed(uint32_t patternid) {
+    return sequenceSeed(patternid >> kRankDigits);
+}
+
+/// The key of movedPlace for a state with this seed: another multiple than those of sequence.h.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t placeKey(uint32_t seed) {
+    return seed * 0x1f83d9abu; // sqrt(17)
+}
+
 /// A point moved by a rank. Pixels of one state that exchange their axes all do.
 inline PointDigits movedDigits(PointDigits point, RankWord rank, uint32_t seed) {
     point.x ^= rankSeries(rank & 0xffffu);

@@ -12,6 +12,8 @@
 #include "wellstrat/platform.h"
 #include "wellstrat/vector.h"
 
+#include <cstdint>
+
 namespace wellstrat {
 inline namespace stream1 {
 
@@ -27,9 +29,13 @@ class WELLSTRAT_API Generator {
 public:
     virtual ~Generator();
 
-    /// Whether the samples are those of JointProgressive (joint.h), which a RixRNG then draws
-    /// without a virtual call.
-    bool drawsSlotsOfTables() const { return drawsSlotsOfTables_; }
+    /// Whose samples these are, where a RixRNG knows how to draw them without a virtual call.
+    enum class Source : uint32_t {
+        own,      ///< nobody's that it knows
+        tables,   ///< those of JointProgressive (joint.h)
+        sequence, ///< those of LongProgressive (long.h)
+    };
+    Source source() const { return source_; }
 
     /// The sample of `sc`, the context of point `i` of the RixRNG.
     virtual float Sample1D(const SampleCtx& sc, unsigned i) const = 0;
@@ -96,13 +102,11 @@ public:
     virtual unsigned PlaceBits() const;
 
 protected:
-    struct SlotsOfTables {};
-
     constexpr Generator() = default;
-    explicit constexpr Generator(SlotsOfTables /*tag*/) : drawsSlotsOfTables_(true) {}
+    explicit constexpr Generator(Source source) : source_(source) {}
 
 private:
-    bool drawsSlotsOfTables_ = false;
+    Source source_ = Source::own;
 };
 
 /// The base of generators to which the order of a domain matters. They need OrderedSample1D, 2D and
@@ -110,7 +114,7 @@ private:
 class WELLSTRAT_API OrderedGenerator : public Generator {
 protected:
     constexpr OrderedGenerator() = default;
-    explicit constexpr OrderedGenerator(SlotsOfTables tag) : Generator(tag) {}
+    explicit constexpr OrderedGenerator(Source source) : Generator(source) {}
 
 public:
     ~OrderedGenerator() override;

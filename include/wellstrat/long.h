@@ -37,7 +37,7 @@ inline namespace stream1 {
 /// program with a line that says so.
 class WELLSTRAT_API LongProgressive final : public OrderedGenerator {
 public:
-    constexpr LongProgressive() = default;
+    constexpr LongProgressive() : OrderedGenerator(Source::sequence) {}
     ~LongProgressive() override;
 
     float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override;

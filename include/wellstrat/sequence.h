@@ -10,9 +10,10 @@
 // Digits stand in words with the first one, the most significant of the coordinate, in bit 0. In
 // that order nested uniform scrambling (owen.h) is a map in which each bit is flipped or not by the
 // bits below it, and that is what integer addition, multiplication by an odd number, and
-// n ^= n * even do (Klimov and Shamir 2003, "A New Class of Invertible Mappings"; Laine and Karras
-// 2011, section 3.1; Burley 2020, "Practical Hash-based Owen Scrambling"). An index in opposite
-// order is such a word too, and its scrambling is the nested shuffle of the order of samples.
+// n ^= 2 n n do (Klimov and Shamir 2003, "A New Class of Invertible Mappings"; Laine and Karras
+// 2011, section 3.1, and Burley 2020, "Practical Hash-based Owen Scrambling", scramble in that
+// way). An index in opposite order is such a word too, and its scrambling is a nested shuffle of
+// the order of samples.
 //
 // Start reading at `sequenceBits`, the definition of the samples. Generators that take the points
 // in another order, or move them, call what it calls.
@@ -32,8 +33,8 @@ inline namespace stream1 {
 
 /// Nested uniform scrambling of 32 digits, the first in bit 0, by a hash: a bijection in which
 /// output bit r is input bit r, flipped or not by a function of `key` and of the input bits below
-/// r. `key` is a well-mixed word, or the product of one by an odd number: as the lowest bit of all
-/// such products is the same, the first digits take those in the middle.
+/// r. `key` is the product of a seed by an odd number: as the lowest bit of all such products is
+/// the same, the first digits take those in the middle.
 ///
 /// That each single flip is fair and that any two are independent, in one tree and in the trees of
 /// two coordinates, is tested (tests/statistical/sequence_test.cpp), and so is the error of
@@ -42,8 +43,7 @@ inline namespace stream1 {
 WELLSTRAT_HOST_DEVICE constexpr uint32_t owenHash(uint32_t digits, uint32_t key) {
     digits += (key >> 16) | (key << 16);
     digits *= (key >> 7) | 1u;
-    digits ^= digits * 0x3d20adeau; // of Vegdahl's hash for the same purpose,
-    return digits; // https://psychopath.io/post/2021_01_30_building_a_better_lk_hash
+    return digits ^ (2u * digits * digits);
 }
 
 /// A nested shuffle of all indices: every aligned run of 2^m becomes an aligned run of 2^m, for
@@ -77,20 +77,26 @@ WELLSTRAT_HOST_DEVICE constexpr uint64_t reverseBits64(uint64_t x) {
 
 } // namespace detail
 
-/// What is needed of a pattern: a well-mixed word. All keys are this word times an odd constant.
+/// What is needed of a pattern. All keys are this word times an odd constant, which mixes it well:
+/// the two together are the rounds of mixBits.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceSeed(uint32_t patternid) {
-    return mixBits(patternid ^ detail::kSequenceKey);
+    uint32_t x = patternid ^ detail::kSequenceKey;
+    x ^= x >> 16;
+    x *= detail::kFirstMultiplier;
+    return x ^ (x >> 15);
 }
 
-/// The key of owenHash for a coordinate of a pattern with this seed; that of the shuffle is the
-/// seed itself. The multipliers are fractional parts of square roots of primes: numbers that nobody
-/// has chosen.
+/// The keys of owenHash for a coordinate of a pattern with this seed, and for the shuffle. The
+/// multipliers are fractional parts of square roots of primes: numbers that nobody has chosen.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t scramblingKey(uint32_t seed, Coordinate coordinate) {
     switch (coordinate) {
     case Coordinate::x: return seed * 0xbb67ae85u; // sqrt(3)
     case Coordinate::y: return seed * 0x3c6ef373u; // sqrt(5)
     default: return seed * 0xa54ff53bu;            // sqrt(7), rounded to odd
     }
+}
+WELLSTRAT_HOST_DEVICE constexpr uint32_t shuffleKey(uint32_t seed) {
+    return seed * 0x510e527fu; // sqrt(11)
 }
 
 /// The digits of a point before they are scrambled, each word with the first one in bit 0.
@@ -129,45 +135,35 @@ WELLSTRAT_HOST_DEVICE inline Float3 scrambledSampleXYZ(PointDigits point, uint32
 /// exclusive or with a constant that keeps the first 2^16 samples below 2^16. Under Owen's
 /// scrambling that changes nothing but what these cost.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceIndex(uint32_t seed, uint32_t sampleid) {
-    return nestedShuffle(sampleid, seed) ^ (nestedShuffle(0, seed) & 0xffff0000u);
+    const uint32_t key = shuffleKey(seed);
+    return nestedShuffle(sampleid, key) ^ (nestedShuffle(0, key) & 0xffff0000u);
 }
 
 namespace detail {
 
-/// sequenceDigits of what the two bytes of an index below 2^16 are in opposite order, the upper
-/// byte first: that of byte b is xy[0][b], x in the lower half, and z[0][b].
+/// sequenceDigits of the two bytes of an index below 2^16, each found by what it is in opposite
+/// order, the upper byte first: x in the lower half of xy, y in the upper one, and z.
 struct DigitsOfBytes {
     uint32_t xy[2][256];
     uint16_t z[2][256];
-
-    constexpr DigitsOfBytes() : xy(), z() {
-        for (uint32_t place = 0; place < 2; ++place) {
-            for (uint32_t byte = 0; byte < 256; ++byte) {
-                const PointDigits point =
-                    sequenceDigits(reverseBits(byte) >> (place == 0 ? 16 : 24));
-                xy[place][byte] = point.x | point.y << 16;
-                z[place][byte] = static_cast<uint16_t>(point.z);
-            }
-        }
-    }
 };
 
-inline constexpr DigitsOfBytes kDigitsOfBytes;
+extern WELLSTRAT_API const DigitsOfBytes kDigitsOfBytes;
 
-WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE constexpr PointDigits laterPoint(uint32_t seed,
-                                                                          uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline PointDigits laterPoint(uint32_t seed,
+                                                                       uint32_t sampleid) {
     return sequenceDigits(sequenceIndex(seed, sampleid));
 }
 
 } // namespace detail
 
 /// sequenceDigits(sequenceIndex(seed, sampleid)).
-WELLSTRAT_HOST_DEVICE constexpr PointDigits sequencePoint(uint32_t seed, uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE inline PointDigits sequencePoint(uint32_t seed, uint32_t sampleid) {
 #if defined(__CUDA_ARCH__)
     return detail::laterPoint(seed, sampleid);
 #else
     if (WELLSTRAT_UNLIKELY(sampleid >= 0x10000u)) return detail::laterPoint(seed, sampleid);
-    const uint32_t shuffled = owenHash(detail::reverseLowHalf(sampleid), seed);
+    const uint32_t shuffled = owenHash(detail::reverseLowHalf(sampleid), shuffleKey(seed));
     const uint32_t lower = shuffled >> 24, upper = (shuffled >> 16) & 0xffu;
     const detail::DigitsOfBytes& digits = detail::kDigitsOfBytes;
     const uint32_t xy = digits.xy[0][upper] ^ digits.xy[1][lower];
@@ -180,7 +176,7 @@ WELLSTRAT_HOST_DEVICE constexpr PointDigits sequencePoint(uint32_t seed, uint32_
 WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceBits(uint32_t patternid, uint32_t sampleid,
                                                       Coordinate coordinate) {
     const uint32_t seed = sequenceSeed(patternid);
-    const PointDigits point = sequencePoint(seed, sampleid);
+    const PointDigits point = sequenceDigits(sequenceIndex(seed, sampleid));
     switch (coordinate) {
     case Coordinate::x: return scrambledBits(point.x, seed, coordinate);
     case Coordinate::y: return scrambledBits(point.y, seed, coordinate);

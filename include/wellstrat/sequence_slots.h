@@ -55,7 +55,8 @@ inline uint32_t slotPlaces(uint32_t seed, unsigned slot, uint32_t index) {
 WELLSTRAT_HOST_DEVICE constexpr uint32_t slotBlock(uint32_t seed, uint32_t sampleid) {
     const uint32_t block = sampleid & ~((1u << kSlotDigits) - 1u);
     if (!WELLSTRAT_UNLIKELY(block != 0)) return 0;
-    return nestedShuffle(block, seed) ^ nestedShuffle(0, seed);
+    const uint32_t key = shuffleKey(seed);
+    return nestedShuffle(block, key) ^ nestedShuffle(0, key);
 }
 
 /// The bits of a visit that its order changes: those below the highest one in which it differs from

@@ -49,9 +49,7 @@ HWY_INLINE V distribState(V sampleid) {
     return hn::ShiftLeft<12>(hn::Xor(sampleid, upper));
 }
 
-HWY_INLINE V stateSeed(V patternid) {
-    return mixBits(hn::Add(hn::ShiftRight<12>(patternid), constant(detail::kBlueKey)));
-}
+HWY_INLINE V stateSeed(V patternid) { return sequenceSeed(hn::ShiftRight<kRankDigits>(patternid)); }
 
 HWY_INLINE V rankSeries(V numerator) {
     return hn::Xor(numerator, hn::Xor(hn::ShiftLeft<8>(numerator), hn::ShiftLeft<24>(numerator)));

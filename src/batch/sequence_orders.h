@@ -36,9 +36,10 @@ public:
             reversed_ = reverseBits(sampleid);
             hasLater_ = !hn::AllFalse(kWords, hn::Gt(sampleid, constant(0xffff)));
         }
-        const V hashed = owenHash(reversed_, seed);
+        const V key = shuffleKey(seed);
+        const V hashed = owenHash(reversed_, key);
         if (HWY_LIKELY(!hasLater_)) return sequenceDigitsOfReversed<16>(hashed);
-        const V undone = hn::And(owenHash(hn::Zero(kWords), seed), constant(0xffff));
+        const V undone = hn::And(owenHash(hn::Zero(kWords), key), constant(0xffff));
         return sequenceDigitsOfReversed<32>(hn::Xor(hashed, undone));
     }
 
@@ -60,10 +61,11 @@ public:
         V index = hn::IfThenElse(swapped, swapped_, places_);
         V y = hn::IfThenElse(swapped, places_, swapped_);
         if (HWY_UNLIKELY(hasBlocks_)) {
+            const V key = shuffleKey(seed);
             const V block =
                 hn::IfThenZeroElse(hn::Eq(block_, hn::Zero(kWords)),
-                                   hn::Xor(reverseBits(owenHash(reverseBits(block_), seed)),
-                                           reverseBits(owenHash(hn::Zero(kWords), seed))));
+                                   hn::Xor(reverseBits(owenHash(reverseBits(block_), key)),
+                                           reverseBits(owenHash(hn::Zero(kWords), key))));
             index = hn::Xor(index, block);
             y = hn::Xor(y, pascalTimes(block));
         }

@@ -76,16 +76,19 @@ HWY_INLINE V trinomialTimes(V index) {
 HWY_INLINE V owenHash(V digits, V key) {
     digits = hn::Add(digits, bytesOf<2, 3, 0, 1>(key));
     digits = hn::Mul(digits, hn::Or(hn::ShiftRight<7>(key), constant(1)));
-    return hn::Xor(digits, hn::Mul(digits, constant(0x3d20adeau)));
+    return hn::Xor(digits, hn::Mul(digits, hn::Add(digits, digits)));
 }
 
 HWY_INLINE V sequenceSeed(V patternid) {
-    return mixBits(hn::Xor(patternid, constant(detail::kSequenceKey)));
+    const V x = hn::Xor(patternid, constant(detail::kSequenceKey));
+    return xorShifted<15>(hn::Mul(xorShifted<16>(x), constant(detail::kFirstMultiplier)));
 }
 
 HWY_INLINE V scramblingKey(V seed, Coordinate coordinate) {
     return hn::Mul(seed, constant(stream1::scramblingKey(1, coordinate)));
 }
+
+HWY_INLINE V shuffleKey(V seed) { return hn::Mul(seed, constant(stream1::shuffleKey(1))); }
 
 /// PointDigits of a vector of points.
 struct PointVectors {

@@ -10,6 +10,7 @@
 #include "wellstrat/blue.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 #include "wellstrat/random_generator.h"
 
 #include <gtest/gtest.h>
@@ -158,6 +159,38 @@ TEST(BlueBlocks, SamplesOfADomainAreMadeForEachOther) {
               0.7 * meanSquare(blockErrors(1, 0, 4, distributed)));
 }
 
+/// The errors of the means over 8 x 8 pixels of a product of signs, of disks in both domains, with
+/// the first `count` samples.
+std::vector<double> productErrors(Scramble a, Scramble b, unsigned count) {
+    std::vector<double> errors(kTiles, 0.0);
+    std::vector<SampleCtx> ofA(kTiles), ofB(kTiles);
+    std::vector<Float2> xiA(kTiles), xiB(kTiles);
+    for (unsigned s = 0; s < count; ++s) {
+        for (int pixel = 0; pixel < 64; ++pixel) {
+            std::vector<SampleCtx> camera = pixelOfTiles(kTiles, pixel % 8, pixel / 8, 4, s);
+            const RixRNG rng(camera, kTiles, &blue);
+            RixRNG(rng, a, ofA).DrawSamples2D(xiA);
+            RixRNG(rng, b, ofB).DrawSamples2D(xiB);
+            for (unsigned i = 0; i < kTiles; ++i) {
+                errors[i] += (inDisk(xiA[i]) == inDisk(xiB[i]) ? 1.0 : -1.0) / 64 / count;
+            }
+        }
+    }
+    return errors;
+}
+
+// All slots of a path have one index and one rank, each in an order of its own: orders that were
+// the same would be a lockstep, in which blocks are worse than independent pixels.
+TEST(BlueBlocks, SlotsAreNotInLockstep) {
+    for (const auto& [a, b] : {std::pair(0u, 1u), std::pair(2u, 7u), std::pair(9u, 15u)}) {
+        for (const unsigned count : {1u, 4u}) {
+            const double square =
+                meanSquare(productErrors(jointScramble(a), jointScramble(b), count));
+            EXPECT_LT(square, 1.1 / (64 * count)) << a << " " << b << ", " << count << " samples";
+        }
+    }
+}
+
 // ---- equal states
 
 /// The states, the upper 20 bits, of 50 domains of a path: ten hits, and four domains of each.
@@ -243,8 +276,12 @@ TEST(EveryGenerator, DrawsFromEveryKindOfContext) {
     constexpr unsigned n = 1u << 14;
     const RandomGenerator random;
     const JointProgressive joint;
-    const std::pair<const char*, const Generator*> generators[] = {
-        {"tables", nullptr}, {"random", &random}, {"joint", &joint}, {"blue", &blue}};
+    const LongProgressive longer;
+    const std::pair<const char*, const Generator*> generators[] = {{"tables", nullptr},
+                                                                   {"random", &random},
+                                                                   {"joint", &joint},
+                                                                   {"long", &longer},
+                                                                   {"blue", &blue}};
     for (const auto& [name, generator] : generators) {
         for (const Kind kind : {Kind{"camera", false, false}, Kind{"camera, by hand", false, true},
                                 Kind{"blue", true, false}, Kind{"blue, by hand", true, true}}) {

@@ -16,6 +16,19 @@ constexpr uint32_t bothSlotPlaces(unsigned slot, uint32_t index) {
     return place | pascalTimes(place) << 16;
 }
 
+constexpr DigitsOfBytes makeDigitsOfBytes() {
+    DigitsOfBytes digits{};
+    for (unsigned place = 0; place < 2; ++place) {
+        for (uint32_t byte = 0; byte < 256; ++byte) {
+            const uint32_t index = reverseBits(byte) >> (place == 0 ? 16 : 24);
+            const PointDigits point = sequenceDigits(index);
+            digits.xy[place][byte] = point.x | point.y << 16;
+            digits.z[place][byte] = static_cast<uint16_t>(point.z);
+        }
+    }
+    return digits;
+}
+
 constexpr SlotOrders makeSlotOrders() {
     SlotOrders orders{};
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
@@ -30,6 +43,7 @@ constexpr SlotOrders makeSlotOrders() {
 
 } // namespace
 
+constexpr DigitsOfBytes kDigitsOfBytes = makeDigitsOfBytes();
 constexpr SlotOrders kSlotOrders = makeSlotOrders();
 
 } // namespace detail
