@@ -4,93 +4,97 @@
 #include "bank_search/spectra.h"
 
 #include <cmath>
-#include <numeric>
 
 namespace wellstrat::ranks {
 namespace {
 
-enum Function : std::size_t { kSmooth, kEdge, kBox, kSmoothX, kStepX, kSmoothZ, kStepZ, kAcross };
+enum Function : std::size_t {
+    kOne,
+    kSmooth,
+    kEdge,
+    kBox,
+    kSmoothX,
+    kStepX,
+    kSmoothZ,
+    kStepZ,
+    kAcross ///< and those behind it
+};
+
+double powerOfTwo(unsigned k) { return std::ldexp(1.0, static_cast<int>(k)); }
 
 std::vector<Products> makeFunctions() {
-    std::vector<Products> result{productsXY(bank::smooth), productsXY(bank::edge),
-                                 productsXY(bank::box),    productsX(bank::smooth1D),
-                                 productsX(bank::step1D),  productsZ(bank::smooth1D),
+    std::vector<Products> result{Products(std::size_t{kRun} * kRanks, 1.0),
+                                 productsXY(bank::smooth),
+                                 productsXY(bank::edge),
+                                 productsXY(bank::box),
+                                 productsX(bank::smooth1D),
+                                 productsX(bank::step1D),
+                                 productsZ(bank::smooth1D),
                                  productsZ(bank::step1D)};
     for (const bank::SpectrumTerm& term : bank::edgeTerms()) result.push_back(productsX(term.of));
     return result;
 }
 
-/// The mean over n in [2^(k-1), 2^k), or at n = 0, in one pixel.
-double levelMean(const Products& function, unsigned k) {
-    if (k == 0) return function[0];
+std::vector<Model> makeModelsOfPairs() {
+    Model across{"edge across", 1, {}};
+    std::size_t function = kAcross;
+    for (const bank::SpectrumTerm& term : bank::edgeTerms()) {
+        across.products.push_back({term.weight, function, function});
+        ++function;
+    }
+    return {{"smooth x smooth", 1, {{1, kSmooth, kSmooth}}},
+            {"edge x edge", 1, {{1, kEdge, kEdge}}},
+            {"box x box", 0.5, {{1, kBox, kBox}}},
+            across};
+}
+
+/// The sum over n in [2^(k-1), 2^k), or at n = 0, of the products of padded domains of one pixel: a
+/// nested shuffle makes an n any other with the same highest bit.
+double paddedSum(const Model& model, unsigned k) {
+    const std::size_t begin = k == 0 ? 0 : std::size_t{1} << (k - 1), end = std::size_t{1} << k;
+    const auto mean = [&](std::size_t function) {
+        double sum = 0;
+        for (std::size_t n = begin; n < end; ++n) sum += functions()[function][n * kRanks];
+        return sum / static_cast<double>(end - begin);
+    };
     double sum = 0;
-    for (std::size_t n = std::size_t{1} << (k - 1); n < std::size_t{1} << k; ++n) {
-        sum += function[n * kRanks];
+    for (const Product& product : model.products) {
+        sum += product.weight * mean(product.first) * mean(product.second);
     }
-    return std::ldexp(sum, 1 - static_cast<int>(k));
+    return sum * static_cast<double>(end - begin);
 }
 
-struct Product {
-    double weight;
-    std::size_t first, second;
-};
+void add(const Sums& sums, double weight, Sums* total) {
+    total->offset += weight * sums.offset;
+    for (const Sums::Term& term : sums.terms) {
+        total->terms.push_back(term);
+        for (double& w : total->terms.back().weight) w *= weight;
+    }
+}
 
-/// A kind of functions with a squared mean of 1.
-struct Model {
-    double weight;
-    std::vector<Product> products;
-};
+/// The mean over all numbers of samples.
+Sums meanOverRuns(const Model& model) {
+    Sums mean = sumsOf(model, 0);
+    for (unsigned k = 1; k <= kRunDigits; ++k) {
+        const Sums sums = sumsOf(model, k);
+        mean.offset += sums.offset;
+        for (std::size_t i = 0; i < mean.terms.size(); ++i) {
+            for (std::size_t n = 0; n < kRun; ++n) {
+                mean.terms[i].weight[n] += sums.terms[i].weight[n];
+            }
+        }
+    }
+    Sums result;
+    add(mean, 1.0 / (kRunDigits + 1), &result);
+    return result;
+}
 
-Merit meritOf(std::vector<Model> models, bool pairs) {
+Sums meanOverModels(const std::vector<Model>& models) {
     double total = 0;
-    for (const Model& model : models) total += model.weight * (kRunDigits + 1);
-    Merit merit;
-    for (const Model& model : models) {
-        std::array<double, kRun> weight{};
-        double sum = 0; // of the products of padded domains
-        for (unsigned k = 0; k <= kRunDigits; ++k) {
-            for (const Product& product : model.products) {
-                const double first = levelMean(functions()[product.first], k);
-                const double second = pairs ? levelMean(functions()[product.second], k) : 1;
-                sum += product.weight * first * second *
-                       (k == 0 ? 1 : std::ldexp(0.5, static_cast<int>(k)));
-            }
-            const double variance = std::ldexp(sum, -static_cast<int>(k)) - 1;
-            const double share = model.weight / total / variance;
-            merit.offset += share;
-            for (std::size_t n = 0; n < std::size_t{1} << k; ++n) {
-                weight[n] += std::ldexp(share, -static_cast<int>(k));
-            }
-        }
-        for (const Product& product : model.products) {
-            Term term{product.first, product.second, weight};
-            for (double& w : term.weight) w *= product.weight;
-            merit.terms.push_back(term);
-        }
-    }
-    return merit;
-}
-
-Merit makeMeritOfOne() {
-    return meritOf({{1, {{1, kSmooth, kSmooth}}},
-                    {1, {{1, kEdge, kEdge}}},
-                    {0.5, {{1, kBox, kBox}}},
-                    {0.5, {{1, kSmoothX, kSmoothX}}},
-                    {0.5, {{1, kStepX, kStepX}}},
-                    {0.25, {{1, kSmoothZ, kSmoothZ}}},
-                    {0.25, {{1, kStepZ, kStepZ}}}},
-                   false);
-}
-
-Merit makeMeritOfPairs() {
-    Model across{1, {}};
-    const std::vector<bank::SpectrumTerm> terms = bank::edgeTerms();
-    for (std::size_t i = 0; i < terms.size(); ++i) {
-        across.products.push_back({terms[i].weight, kAcross + i, kAcross + i});
-    }
-    return meritOf(
-        {{1, {{1, kSmooth, kSmooth}}}, {1, {{1, kEdge, kEdge}}}, {0.5, {{1, kBox, kBox}}}, across},
-        true);
+    for (const Model& model : models) total += model.weight;
+    Sums result;
+    for (const Model& model : models) add(meanOverRuns(model), model.weight / total, &result);
+    return result;
 }
 
 } // namespace
@@ -100,44 +104,57 @@ const std::vector<Products>& functions() {
     return all;
 }
 
-const Merit& meritOfOne() {
-    static const Merit merit = makeMeritOfOne();
-    return merit;
+const std::vector<Model>& modelsOfOne() {
+    static const std::vector<Model> models{
+        {"smooth", 1, {{1, kSmooth, kOne}}},      {"edge", 1, {{1, kEdge, kOne}}},
+        {"box", 0.5, {{1, kBox, kOne}}},          {"smooth of x", 0.5, {{1, kSmoothX, kOne}}},
+        {"step of x", 0.5, {{1, kStepX, kOne}}},  {"smooth of z", 0.25, {{1, kSmoothZ, kOne}}},
+        {"step of z", 0.25, {{1, kStepZ, kOne}}},
+    };
+    return models;
 }
 
-const Merit& meritOfPairs() {
-    static const Merit merit = makeMeritOfPairs();
-    return merit;
+const std::vector<Model>& modelsOfPairs() {
+    static const std::vector<Model> models = makeModelsOfPairs();
+    return models;
 }
 
-std::vector<Products> functionsIn(const std::vector<uint16_t>& places,
-                                  const std::vector<uint16_t>& images) {
-    std::vector<Products> result;
-    for (const Products& function : functions()) {
-        result.push_back(visited(function, places, images));
-    }
-    return result;
-}
-
-Covariance covarianceOfOne(const std::vector<Products>& domain) {
-    Covariance covariance(kRanks, -meritOfOne().offset);
-    for (const Term& term : meritOfOne().terms) {
-        for (std::size_t n = 0; n < kRun; ++n) {
-            const double* const f = domain[term.first].data() + n * kRanks;
-            for (std::size_t r = 0; r < kRanks; ++r) covariance[r] += term.weight[n] * f[r];
+Sums sumsOf(const Model& model, unsigned k) {
+    double padded = 0;
+    for (unsigned j = 0; j <= k; ++j) padded += paddedSum(model, j);
+    const double variance = padded / powerOfTwo(k) - 1;
+    Sums sums;
+    sums.offset = 1 / variance;
+    for (const Product& product : model.products) {
+        Sums::Term term{product.first, product.second, {}};
+        for (std::size_t n = 0; n < std::size_t{1} << k; ++n) {
+            term.weight[n] = product.weight / (powerOfTwo(k) * variance);
         }
+        sums.terms.push_back(term);
     }
-    return covariance;
+    return sums;
 }
 
-Covariance covarianceOfPair(const std::vector<Products>& first,
-                            const std::vector<Products>& second) {
-    Covariance covariance(kRanks, -meritOfPairs().offset);
-    for (const Term& term : meritOfPairs().terms) {
+const Sums& sumsOfOne() {
+    static const Sums sums = meanOverModels(modelsOfOne());
+    return sums;
+}
+
+const Sums& sumsOfPairs() {
+    static const Sums sums = meanOverModels(modelsOfPairs());
+    return sums;
+}
+
+Covariance covarianceOf(const Sums& sums, const Visits& first, const Visits& second) {
+    Covariance covariance(kRanks, -sums.offset);
+    for (const Sums::Term& term : sums.terms) {
         for (std::size_t n = 0; n < kRun; ++n) {
-            const double* const f = first[term.first].data() + n * kRanks;
-            const double* const g = second[term.second].data() + n * kRanks;
-            for (std::size_t r = 0; r < kRanks; ++r) covariance[r] += term.weight[n] * f[r] * g[r];
+            if (term.weight[n] == 0) continue;
+            const double* const f = rowOf(functions()[term.first], first, n);
+            const double* const g = rowOf(functions()[term.second], second, n);
+            for (std::size_t r = 0; r < kRanks; ++r) {
+                covariance[r] += term.weight[n] * f[first.images[r]] * g[second.images[r]];
+            }
         }
     }
     return covariance;

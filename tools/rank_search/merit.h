@@ -1,49 +1,63 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What is asked of ranks: for several kinds of functions, the squared error of the mean of 2^k
-// samples a pixel, k = 0 to kRunDigits, after a Gaussian filter over the pixels, as a ratio to that
-// of independent pixels. It is a mean over pairs of pixels of a function of the exclusive or of
-// their ranks alone, and so exact arithmetic without a sample:
+// samples a pixel, k = 0 to kRunDigits, after a filter over the pixels, as a ratio to that of
+// independent pixels with padded domains. It is a mean over pairs of pixels of a function of the
+// exclusive or of their ranks alone, and so exact arithmetic without a sample:
 //
-//     merit = sum over d of window(d) * mean over pixels p of covariance[r(p) XOR r(p + d)]
+//     merit = sum over rho of weights[rho] * covariance[rho]
+//
+// The covariance is that of what is drawn, the weights are those of the filter and the tile
+// (rank_search/tile.h).
 
 #pragma once
 
 #include "rank_search/products.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace wellstrat::ranks {
 
-/// By r XOR r', in [0, kRanks): the covariance of the means of two pixels of these ranks over the
-/// variance of independent ones, averaged over functions and numbers of samples.
+/// weight * f(domain) g(other domain), where f is functions()[first] and g functions()[second].
+struct Product {
+    double weight;
+    std::size_t first, second;
+};
+
+/// A kind of functions of two domains, or of one if g is 1. A sum of products, symmetric in the
+/// domains if there are two, with a squared mean of 1.
+struct Model {
+    std::string name;
+    double weight; ///< in the merit
+    std::vector<Product> products;
+};
+
+const std::vector<Products>& functions();
+const std::vector<Model>& modelsOfOne();
+const std::vector<Model>& modelsOfPairs();
+
+/// A linear combination of what models ask of all numbers of samples: the sum over all terms and n
+/// < kRun of weight[n] f(n) g(n), less an offset.
+struct Sums {
+    struct Term {
+        std::size_t first, second;
+        std::array<double, kRun> weight;
+    };
+    std::vector<Term> terms;
+    double offset = 0;
+};
+
+Sums sumsOf(const Model& model, unsigned k); ///< with 2^k samples
+const Sums& sumsOfOne();                     ///< mean over all models, weighted, and all k
+const Sums& sumsOfPairs();
+
+/// By rho = r XOR r', in [0, kRanks): the covariance of the means of pixels of ranks r and r', over
+/// the variance of independent ones.
 using Covariance = std::vector<double>;
 
-/// What all functions f of one domain and f g of two add up to: the sum over n < kRun of weight[n]
-/// f(n), or of weight[n] f(n) g(n), with f and g among `functions`.
-struct Term {
-    std::size_t first, second; ///< the same for a function of one domain
-    std::array<double, kRun> weight;
-};
-
-struct Merit {
-    std::vector<Term> terms;
-    double offset = 0; ///< what squared means add up to
-};
-
-/// Products of all functions that terms refer to.
-const std::vector<Products>& functions();
-
-const Merit& meritOfOne();   ///< functions of one domain
-const Merit& meritOfPairs(); ///< of two slots, symmetric in them
-
-/// The products of all functions in a slot, or in a padded domain: its places and its ranks.
-std::vector<Products> functionsIn(const std::vector<uint16_t>& places,
-                                  const std::vector<uint16_t>& images);
-
-Covariance covarianceOfOne(const std::vector<Products>& domain);
-Covariance covarianceOfPair(const std::vector<Products>& first,
-                            const std::vector<Products>& second);
+/// Of functions of one domain, `second` does not matter.
+Covariance covarianceOf(const Sums& sums, const Visits& first, const Visits& second);
 
 } // namespace wellstrat::ranks

@@ -51,27 +51,19 @@ Products productsZ(const bank::Spectrum1D& spectrum) {
     return products([&](unsigned, unsigned, unsigned z) { return by.of[z]; });
 }
 
-std::vector<uint16_t> imagesOf(const RankColumns& columns) {
-    std::vector<uint16_t> images{0};
-    for (const uint16_t column : columns) bank::appendColumn(images, column);
-    return images;
-}
-
-std::vector<uint16_t> placesOf(unsigned slot) {
-    std::vector<uint16_t> places{0};
-    for (unsigned k = 0; k < kRunDigits; ++k) bank::appendColumn(places, kJointBank[slot][k]);
-    return places;
-}
-
-Products visited(const Products& products, const std::vector<uint16_t>& places,
-                 const std::vector<uint16_t>& images) {
-    Products result(products.size());
-    for (std::size_t n = 0; n < kRun; ++n) {
-        const double* const of = products.data() + std::size_t{places[n]} * kRanks;
-        double* const to = result.data() + n * kRanks;
-        for (std::size_t r = 0; r < kRanks; ++r) to[r] = of[images[r]];
+Visits visitsOf(unsigned slot, const RankColumns& columns) {
+    Visits visits{{0}, {0}};
+    for (unsigned k = 0; k < kRunDigits; ++k) {
+        bank::appendColumn(visits.places, kJointBank[slot][k]);
     }
-    return result;
+    for (const uint16_t column : columns) bank::appendColumn(visits.images, column);
+    return visits;
+}
+
+RankColumns identityColumns() {
+    RankColumns columns{};
+    for (unsigned k = 0; k < kRankDigits; ++k) columns[k] = static_cast<uint16_t>(1u << k);
+    return columns;
 }
 
 } // namespace wellstrat::ranks

@@ -28,17 +28,27 @@ Products productsXY(const bank::Spectrum2D& spectrum);
 Products productsX(const bank::Spectrum1D& spectrum);
 Products productsZ(const bank::Spectrum1D& spectrum);
 
-/// The rank of a slot, by its columns: column k is what bit k of a pixel's rank adds to it.
+/// What makes the rank of a slot of that of a pixel, by its columns: column k is what bit k of the
+/// pixel's rank adds.
 using RankColumns = std::array<uint16_t, kRankDigits>;
 
-/// The images of all ranks.
-std::vector<uint16_t> imagesOf(const RankColumns& columns);
+/// How a domain visits the points of a tile: sample n of the pixel of rank r has place places[n]
+/// and rank images[r].
+struct Visits {
+    std::vector<uint16_t> places; ///< kRun, of the first samples
+    std::vector<uint16_t> images; ///< kRanks
+};
 
-/// The places of the samples 0 to kRun - 1 of a slot of wellstrat/joint.h.
-std::vector<uint16_t> placesOf(unsigned slot);
+/// Of slot `slot` of wellstrat/joint.h, whose ranks have these columns. Slot 0 with the columns of
+/// the identity is also what padded domains are like: a nested shuffle of the samples changes no
+/// sum over all pairs of them.
+Visits visitsOf(unsigned slot, const RankColumns& columns);
 
-/// The same by samples and pixels: element n * kRanks + r is `products` at places[n] and images[r].
-Products visited(const Products& products, const std::vector<uint16_t>& places,
-                 const std::vector<uint16_t>& images);
+RankColumns identityColumns();
+
+/// The products for sample n of a domain, by images of ranks.
+inline const double* rowOf(const Products& products, const Visits& visits, std::size_t n) {
+    return products.data() + std::size_t{visits.places[n]} * kRanks;
+}
 
 } // namespace wellstrat::ranks

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace wellstrat::ranks {
@@ -21,17 +21,41 @@ struct Offset {
     float weight;
 };
 
-std::vector<Offset> offsets() {
-    const std::vector<float> weights = window();
+/// All of them but (0, 0), which has the weight 1.
+std::vector<Offset> window(double narrow) {
     std::vector<Offset> result;
     for (int y = -kReach; y <= kReach; ++y) {
         for (int x = -kReach; x <= kReach; ++x) {
-            const auto at =
-                (static_cast<unsigned>(y) % kSize) * kSize + static_cast<unsigned>(x) % kSize;
-            if (x != 0 || y != 0) result.push_back({x, y, weights[at]});
+            if (x == 0 && y == 0) continue;
+            // The autocorrelation of a Gaussian of sigma s is exp(-d^2 / (4 s^2)).
+            const double squared = x * x + y * y;
+            const double weight =
+                (1 - narrow) * std::exp(-squared / 16) + narrow * std::exp(-squared / 4);
+            result.push_back({x, y, static_cast<float>(weight)});
         }
     }
     return result;
+}
+
+/// On the torus.
+unsigned pixelAt(unsigned x, unsigned y) { return y % kSize * kSize + x % kSize; }
+
+unsigned neighbour(unsigned x, unsigned y, const Offset& offset) {
+    return pixelAt(x + static_cast<unsigned>(offset.x), y + static_cast<unsigned>(offset.y));
+}
+
+/// Calls visit(pixel, other, weight) for all pairs of different pixels in the window, pixels as
+/// elements of a tile.
+template <typename Visit>
+void forPairs(double narrow, Visit visit) {
+    const std::vector<Offset> offsets = window(narrow);
+    for (unsigned y = 0; y < kSize; ++y) {
+        for (unsigned x = 0; x < kSize; ++x) {
+            for (const Offset& offset : offsets) {
+                visit(pixelAt(x, y), neighbour(x, y, offset), double(offset.weight));
+            }
+        }
+    }
 }
 
 /// A swap of the ranks of two quadratic blocks of 2^level x 2^level pixels in one of four times the
@@ -57,7 +81,7 @@ class Annealing {
 public:
     Annealing(const Covariance& covariance, Tile tile)
         : tile_(std::move(tile)), covariance_(covariance.begin(), covariance.end()),
-          offsets_(offsets()) {}
+          window_(window(kShareOfNarrow)) {}
 
     /// What the merit grows by with the swap, times the number of pixels.
     double growth(const Swap& swap) const {
@@ -65,11 +89,10 @@ public:
         double sum = 0;
         for (const unsigned block : {swap.first, swap.second}) {
             forPixels(swap, block, [&](unsigned x, unsigned y) {
-                for (const Offset& offset : offsets_) {
-                    const unsigned ox = (x + static_cast<unsigned>(offset.x)) % kSize;
-                    const unsigned oy = (y + static_cast<unsigned>(offset.y)) % kSize;
-                    if (moves(swap, ox, oy)) continue;
-                    const unsigned rho = tile_[y * kSize + x] ^ tile_[oy * kSize + ox];
+                for (const Offset& offset : window_) {
+                    const unsigned other = neighbour(x, y, offset);
+                    if (moves(swap, other)) continue;
+                    const unsigned rho = tile_[pixelAt(x, y)] ^ tile_[other];
                     sum += double(offset.weight * (covariance_[rho ^ mask] - covariance_[rho]));
                 }
             });
@@ -98,8 +121,9 @@ private:
         }
     }
 
-    static bool moves(const Swap& swap, unsigned x, unsigned y) {
-        const unsigned bx = (x - swap.x) >> swap.level, by = (y - swap.y) >> swap.level;
+    static bool moves(const Swap& swap, unsigned pixel) {
+        const unsigned bx = (pixel % kSize - swap.x) >> swap.level;
+        const unsigned by = (pixel / kSize - swap.y) >> swap.level;
         if (bx > 1 || by > 1) return false;
         const unsigned block = 2 * by + bx;
         return block == swap.first || block == swap.second;
@@ -118,55 +142,39 @@ private:
 
     Tile tile_;
     std::vector<float> covariance_;
-    std::vector<Offset> offsets_;
+    std::vector<Offset> window_;
 };
 
 } // namespace
 
-std::vector<float> window() {
-    constexpr double kShareOfNarrow = 0.2;
-    std::vector<float> weights(kRanks);
-    for (int y = -kReach; y <= kReach; ++y) {
-        for (int x = -kReach; x <= kReach; ++x) {
-            const auto at =
-                (static_cast<unsigned>(y) % kSize) * kSize + static_cast<unsigned>(x) % kSize;
-            const double squared = x * x + y * y;
-            weights[at] = static_cast<float>((1 - kShareOfNarrow) * std::exp(-squared / 16) +
-                                             kShareOfNarrow * std::exp(-squared / 4));
-        }
+Weights weightsOf(const Tile& tile, double narrow) {
+    Weights weights(kRanks);
+    weights[0] = 1;
+    forPairs(narrow, [&](unsigned pixel, unsigned other, double weight) {
+        weights[tile[pixel] ^ tile[other]] += weight / kRanks;
+    });
+    return weights;
+}
+
+Weights weightsOfRandomTiles(double narrow) {
+    // All rho of pixels that part at the same level, [4^level, 4^(level + 1)), are as likely.
+    std::array<double, kLevels> ofLevel{};
+    forPairs(narrow, [&](unsigned pixel, unsigned other, double weight) {
+        const unsigned differing = pixel ^ other;
+        unsigned level = kLevels - 1;
+        while (((differing | differing / kSize) >> level & 1u) == 0) --level;
+        ofLevel[level] += weight / kRanks;
+    });
+    Weights weights{1};
+    for (unsigned level = 0; level < kLevels; ++level) {
+        const std::size_t count = std::size_t{3} << (2 * level);
+        weights.insert(weights.end(), count, ofLevel[level] / static_cast<double>(count));
     }
     return weights;
 }
 
-double tileMerit(const Tile& tile, const Covariance& covariance) {
-    double sum = covariance[0] * kRanks;
-    for (unsigned y = 0; y < kSize; ++y) {
-        for (unsigned x = 0; x < kSize; ++x) {
-            for (const Offset& offset : offsets()) {
-                const unsigned ox = (x + static_cast<unsigned>(offset.x)) % kSize;
-                const unsigned oy = (y + static_cast<unsigned>(offset.y)) % kSize;
-                sum +=
-                    double(offset.weight) * covariance[tile[y * kSize + x] ^ tile[oy * kSize + ox]];
-            }
-        }
-    }
-    return sum / kRanks;
-}
-
-std::array<double, kLevels> levelShares() {
-    std::array<double, kLevels> shares{};
-    for (const Offset& offset : offsets()) {
-        for (unsigned y = 0; y < kSize; ++y) {
-            for (unsigned x = 0; x < kSize; ++x) {
-                const unsigned ox = (x + static_cast<unsigned>(offset.x)) % kSize;
-                const unsigned oy = (y + static_cast<unsigned>(offset.y)) % kSize;
-                unsigned level = 0;
-                while (((x ^ ox) | (y ^ oy)) >> (level + 1) != 0) ++level;
-                shares[level] += double(offset.weight) / kRanks;
-            }
-        }
-    }
-    return shares;
+double merit(const Weights& weights, const Covariance& covariance) {
+    return std::inner_product(weights.begin(), weights.end(), covariance.begin(), 0.0);
 }
 
 Tile randomTile(std::mt19937& random) {
@@ -192,10 +200,11 @@ Tile randomTile(std::mt19937& random) {
     return tile;
 }
 
-Tile annealedTile(const Covariance& covariance, unsigned sweeps, std::mt19937& random) {
+Tile annealedTile(const Covariance& covariance, unsigned sweeps, std::mt19937& random,
+                  const std::function<void()>& swept) {
     Annealing annealing(covariance, randomTile(random));
     // The largest growth that is accepted, at the start: about what a swap of two pixels costs.
-    constexpr double kHottest = 1;
+    constexpr double kHottest = 0.5;
     for (unsigned sweep = 0; sweep < sweeps; ++sweep) {
         const double left = 1 - static_cast<double>(sweep) / sweeps;
         for (unsigned level = kLevels; level-- > 0;) {
@@ -206,6 +215,7 @@ Tile annealedTile(const Covariance& covariance, unsigned sweeps, std::mt19937& r
                 if (annealing.growth(swap) < limit) annealing.apply(swap);
             }
         }
+        swept();
     }
     return annealing.tile();
 }

@@ -7,6 +7,7 @@
 
 #include "rank_search/merit.h"
 
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -15,23 +16,27 @@ namespace wellstrat::ranks {
 /// The rank of pixel (x, y) of the tile is element y * kRankTileSize + x.
 using Tile = std::vector<uint16_t>;
 
-/// What a pair of pixels counts in the merit by their distance (dx, dy) on the torus, each in
-/// [0, kRankTileSize), at dy * kRankTileSize + dx: 1 at (0, 0).
-///
-/// The autocorrelation of a Gaussian of sigma 2 pixels, and to a lesser share of sigma 1.
-std::vector<float> window();
+/// What rho = r XOR r' counts in the merit, in [0, kRanks): the autocorrelation of the filter, 1
+/// for a pixel and itself, added up over the pixels around one, averaged over all of them.
+using Weights = std::vector<double>;
 
-/// The squared error that a tile leaves after the filter, over that of independent pixels.
-double tileMerit(const Tile& tile, const Covariance& covariance);
+/// The filter is a Gaussian of sigma 2 pixels; to the share `narrow` of the merit, of sigma 1.
+constexpr double kShareOfNarrow = 0.2;
 
-/// The share of the merit that the mean of the covariance over [4^l, 4^(l+1)) has in the mean over
-/// all tiles that permute each node's children at random.
-std::array<double, kRankDigits / 2> levelShares();
+Weights weightsOf(const Tile& tile, double narrow = kShareOfNarrow);
+
+/// The mean over all tiles that permute each node's children at random.
+Weights weightsOfRandomTiles(double narrow = kShareOfNarrow);
+
+/// The squared error after the filter, over that of independent pixels.
+double merit(const Weights& weights, const Covariance& covariance);
 
 /// Each node's children in random order.
 Tile randomTile(std::mt19937& random);
 
 /// Such a tile with a low merit: annealed in `sweeps` sweeps of swaps of two children of a node.
-Tile annealedTile(const Covariance& covariance, unsigned sweeps, std::mt19937& random);
+/// Calls `swept` after each.
+Tile annealedTile(const Covariance& covariance, unsigned sweeps, std::mt19937& random,
+                  const std::function<void()>& swept);
 
 } // namespace wellstrat::ranks
