@@ -180,13 +180,13 @@ std::vector<double> productErrors(Scramble a, Scramble b, unsigned count) {
 }
 
 // All slots of a path have one index and one rank, each in an order of its own: orders that were
-// the same would be a lockstep, in which blocks are worse than independent pixels.
+// the same would be a lockstep, in which blocks are 3 to 60 times worse than independent pixels.
 TEST(BlueBlocks, SlotsAreNotInLockstep) {
     for (const auto& [a, b] : {std::pair(0u, 1u), std::pair(2u, 7u), std::pair(9u, 15u)}) {
         for (const unsigned count : {1u, 4u}) {
             const double square =
                 meanSquare(productErrors(jointScramble(a), jointScramble(b), count));
-            EXPECT_LT(square, 1.1 / (64 * count)) << a << " " << b << ", " << count << " samples";
+            EXPECT_LT(square, 2.0 / (64 * count)) << a << " " << b << ", " << count << " samples";
         }
     }
 }
