@@ -21,6 +21,7 @@
 #include "wellstrat/detail/few_points.h"
 #include "wellstrat/generator.h"
 #include "wellstrat/joint_lookup.h"
+#include "wellstrat/sequence_slots.h"
 
 #include <cassert>
 
@@ -147,35 +148,47 @@ public:
     float DrawSample1D(unsigned i) const {
         assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        if (drawsFromSlot()) {
+        switch (drawn()) {
+        case Drawn::padded:
+            return wellstrat::sample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
+        case Drawn::slot:
             return wellstrat::jointSample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid,
                                             order.slot, 1);
+        case Drawn::sequence: return wellstrat::sequenceSample1D(sc.patternid, sc.sampleid);
+        case Drawn::sequenceSlot:
+            return wellstrat::jointSequenceSample1D(sc.patternid, sc.sampleid, order.slot, 1);
+        default: return generator->OrderedSample1D(sc, i, order);
         }
-        return drawsPadded()
-                   ? wellstrat::sample1D(wellstrat::builtTables(), sc.patternid, sc.sampleid)
-                   : generator->OrderedSample1D(sc, i, order);
     }
     RtFloat2 DrawSample2D(unsigned i) const {
         assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        if (drawsFromSlot()) {
+        switch (drawn()) {
+        case Drawn::padded:
+            return wellstrat::sample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
+        case Drawn::slot:
             return wellstrat::jointSample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid,
                                             order.slot, 1);
+        case Drawn::sequence: return wellstrat::sequenceSample2D(sc.patternid, sc.sampleid);
+        case Drawn::sequenceSlot:
+            return wellstrat::jointSequenceSample2D(sc.patternid, sc.sampleid, order.slot, 1);
+        default: return generator->OrderedSample2D(sc, i, order);
         }
-        return drawsPadded()
-                   ? wellstrat::sample2D(wellstrat::builtTables(), sc.patternid, sc.sampleid)
-                   : generator->OrderedSample2D(sc, i, order);
     }
     RtFloat3 DrawSample3D(unsigned i) const {
         assert(i < numPts);
         const SampleCtx& sc = sampleCtxArray[i];
-        if (drawsFromSlot()) {
+        switch (drawn()) {
+        case Drawn::padded:
+            return wellstrat::sample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid);
+        case Drawn::slot:
             return wellstrat::jointSample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid,
                                             order.slot, 1);
+        case Drawn::sequence: return wellstrat::sequenceSample3D(sc.patternid, sc.sampleid);
+        case Drawn::sequenceSlot:
+            return wellstrat::jointSequenceSample3D(sc.patternid, sc.sampleid, order.slot, 1);
+        default: return generator->OrderedSample3D(sc, i, order);
         }
-        return drawsPadded()
-                   ? wellstrat::sample3D(wellstrat::builtTables(), sc.patternid, sc.sampleid)
-                   : generator->OrderedSample3D(sc, i, order);
     }
 
     /// The same, and then the point's sampleid is incremented.
@@ -296,14 +309,21 @@ private:
     RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen, Order ownOrder)
         : sampleCtxArray(contexts), numPts(numPoints), generator(gen), order(ownOrder) {}
 
-    // What needs no virtual call: draws from the tables, padded or from slots without splits.
-    bool drawsPadded() const {
-        return !generator ||
-               (generator->drawsSlotsOfTables() && order.slot == wellstrat::kJointSlots);
-    }
-    bool drawsFromSlot() const {
-        return generator && generator->drawsSlotsOfTables() &&
-               order.slot < wellstrat::kJointSlots && order.splits == 1;
+    /// What is drawn, where that needs no virtual call: from the tables or from the sequence,
+    /// padded or from slots without splits.
+    enum class Drawn { padded, slot, sequence, sequenceSlot, virtually };
+
+    Drawn drawn() const {
+        if (!generator) return Drawn::padded;
+        const bool padded = order.slot == wellstrat::kJointSlots;
+        if (!padded && (order.slot > wellstrat::kJointSlots || order.splits != 1)) {
+            return Drawn::virtually;
+        }
+        switch (generator->source()) {
+        case Generator::Source::tables: return padded ? Drawn::padded : Drawn::slot;
+        case Generator::Source::sequence: return padded ? Drawn::sequence : Drawn::sequenceSlot;
+        default: return Drawn::virtually;
+        }
     }
 
     Order childOrder(Scramble scramble, unsigned split) const {

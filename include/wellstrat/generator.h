@@ -12,6 +12,8 @@
 #include "wellstrat/platform.h"
 #include "wellstrat/vector.h"
 
+#include <cstdint>
+
 namespace wellstrat {
 inline namespace stream1 {
 
@@ -27,9 +29,13 @@ class WELLSTRAT_API Generator {
 public:
     virtual ~Generator();
 
-    /// Whether the samples are those of JointProgressive (joint.h), which a RixRNG then draws
-    /// without a virtual call.
-    bool drawsSlotsOfTables() const { return drawsSlotsOfTables_; }
+    /// Whose samples these are, where a RixRNG knows how to draw them without a virtual call.
+    enum class Source : uint32_t {
+        own,      ///< nobody's that it knows
+        tables,   ///< those of JointProgressive (joint.h)
+        sequence, ///< those of LongProgressive (long.h)
+    };
+    Source source() const { return source_; }
 
     /// The sample of `sc`, the context of point `i` of the RixRNG.
     virtual float Sample1D(const SampleCtx& sc, unsigned i) const = 0;
@@ -58,6 +64,14 @@ public:
     virtual void MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                       Float3* xis) const;
 
+    // Where contexts begin.
+
+    /// The context of sample `sampleid` of pixel (x, y), for a RixRNG that has this generator. By
+    /// default cameraContext (camera.h) of frame 0: images of different seeds are independent, and
+    /// the frames of a sequence go on in the sampleid. Where there is no generator, that is right
+    /// too.
+    virtual SampleCtx CameraContext(int x, int y, unsigned seed, unsigned sampleid) const;
+
     // How domains are derived through a RixRNG.
 
     /// The order of a new domain, by default deriveOrder(parent, scramble, split): `split` is 1 for
@@ -78,14 +92,21 @@ public:
                                        Scramble scramble, unsigned newsampleid,
                                        SampleCtx* children) const;
 
-protected:
-    struct SlotsOfTables {};
+    /// The pattern whose new domain, plain or split, `patternid` belongs to, if it was derived by
+    /// `scramble`: what tools need to find the camera's pattern. By default parentPattern
+    /// (domain.h). Who overrides MultiNewDomainSplit overrides this too.
+    virtual unsigned ParentPattern(unsigned patternid, Scramble scramble) const;
 
+    /// How many of the last bits of a patternid are the same in all domains of a pixel, so that not
+    /// they keep domains apart. By default none.
+    virtual unsigned PlaceBits() const;
+
+protected:
     constexpr Generator() = default;
-    explicit constexpr Generator(SlotsOfTables /*tag*/) : drawsSlotsOfTables_(true) {}
+    explicit constexpr Generator(Source source) : source_(source) {}
 
 private:
-    bool drawsSlotsOfTables_ = false;
+    Source source_ = Source::own;
 };
 
 /// The base of generators to which the order of a domain matters. They need OrderedSample1D, 2D and
@@ -93,7 +114,7 @@ private:
 class WELLSTRAT_API OrderedGenerator : public Generator {
 protected:
     constexpr OrderedGenerator() = default;
-    explicit constexpr OrderedGenerator(SlotsOfTables tag) : Generator(tag) {}
+    explicit constexpr OrderedGenerator(Source source) : Generator(source) {}
 
 public:
     ~OrderedGenerator() override;

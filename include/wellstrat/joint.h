@@ -41,7 +41,7 @@ inline namespace stream1 {
 /// of the camera is a mistake, by which the two are correlated; a DomainLinter finds it.
 class WELLSTRAT_API JointProgressive final : public OrderedGenerator {
 public:
-    constexpr JointProgressive() : OrderedGenerator(SlotsOfTables{}) {}
+    constexpr JointProgressive() : OrderedGenerator(Source::tables) {}
     ~JointProgressive() override;
 
     float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override;

@@ -2,9 +2,11 @@
 
 #include "batch/kernels.h"
 
+#include "wellstrat/blue_lookup.h"
 #include "wellstrat/domain.h"
 #include "wellstrat/joint_lookup.h"
 #include "wellstrat/lookup.h"
+#include "wellstrat/sequence_slots.h"
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -27,6 +29,16 @@ void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, 
     }
 }
 
+template <auto kPadded, auto kJoint, typename Sample>
+void drawComputed(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                  Sample* xis) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const SampleCtx sc = contexts[i];
+        xis[i] = slot == kJointSlots ? kPadded(sc.patternid, sc.sampleid)
+                                     : kJoint(sc.patternid, sc.sampleid, slot, split);
+    }
+}
+
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                      unsigned newnumsamples, SampleCtx* children) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -38,6 +50,20 @@ void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scrambl
                        unsigned newsampleid, SampleCtx* children) {
     for (std::size_t i = 0; i < n; ++i) {
         children[i] = parents[i].NewDomainDistrib(scramble, newsampleid);
+    }
+}
+
+void newBlueDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                         unsigned newnumsamples, SampleCtx* children) {
+    for (std::size_t i = 0; i < n; ++i) {
+        children[i] = newBlueDomainSplit(parents[i], scramble, newnumsamples);
+    }
+}
+
+void newBlueDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                           unsigned newsampleid, SampleCtx* children) {
+    for (std::size_t i = 0; i < n; ++i) {
+        children[i] = newBlueDomainDistrib(parents[i], scramble, newsampleid);
     }
 }
 
@@ -61,8 +87,16 @@ const Kernels kScalarKernels = {
     drawJoint<jointSample1D>,
     drawJoint<jointSample2D>,
     drawJoint<jointSample3D>,
+    drawComputed<sequenceSample1D, jointSequenceSample1D>,
+    drawComputed<sequenceSample2D, jointSequenceSample2D>,
+    drawComputed<sequenceSample3D, jointSequenceSample3D>,
+    drawComputed<blueSample1D, blueSlotSample1D>,
+    drawComputed<blueSample2D, blueSlotSample2D>,
+    drawComputed<blueSample3D, blueSlotSample3D>,
     newDomainsSplit,
     newDomainsDistrib,
+    newBlueDomainsSplit,
+    newBlueDomainsDistrib,
     hashToRandom,
 };
 

@@ -7,19 +7,17 @@
 
 #include "batch/joint_digits.h"
 #include "batch/kernels.h"
+#include "batch/vector_targets.h"
 
 #include "wellstrat/lookup.h"
 
-// Highway's own assertions would need its library.
-#define HWY_IS_DEBUG_BUILD 0
-// Left out: registers of no fixed size, and what gains nothing over the next target.
-#define HWY_DISABLED_TARGETS                                                                       \
-    (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "batch/vector.cpp"
 #include "hwy/foreach_target.h"
 
-#include "hwy/highway.h"
+#include "batch/blue_vector.h"
+#include "batch/sequence_vector.h"
+#include "batch/vector_words.h"
 
 #include <algorithm>
 #include <type_traits>
@@ -32,39 +30,8 @@ namespace batch {
 namespace HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using Words = hn::ScalableTag<uint32_t>;
-using Bytes = hn::Repartition<uint8_t, Words>;
-using Floats = hn::RebindToFloat<Words>;
-using Points = hn::Repartition<uint64_t, Words>;
-using V = hn::Vec<Words>;
-using F = hn::Vec<Floats>;
-using P = hn::Vec<Points>;
-
-constexpr Words kWords;
-constexpr Floats kFloats;
-constexpr Points kPoints;
-
-constexpr std::size_t kLanes = hn::MaxLanes(kWords);
-
 /// How many vectors of samples are drawn at a time.
 constexpr std::size_t kBlockVectors = 8;
-
-HWY_INLINE V constant(uint32_t value) { return hn::Set(kWords, value); }
-
-template <int kShift>
-HWY_INLINE V xorShifted(V x) {
-    return hn::Xor(x, hn::ShiftRight<kShift>(x));
-}
-
-/// The rounds of mixBits and of permuteBits.
-HWY_INLINE V mixBits(V x, V multiplier) {
-    x = hn::Mul(xorShifted<16>(x), constant(detail::kFirstMultiplier));
-    return xorShifted<15>(hn::Mul(xorShifted<15>(x), multiplier));
-}
-
-HWY_INLINE V mixBits(V x) { return mixBits(x, constant(detail::kSecondMultiplier)); }
 
 HWY_INLINE V permuteBits(V x, PermutationKey key) {
     return mixBits(hn::Xor(x, constant(key.mask)), constant(key.multiplier));
@@ -134,12 +101,6 @@ HWY_INLINE V offsetOf(V tableWord, V groupStart) {
 
 HWY_INLINE V groupStartOf(V sampleid) {
     return hn::And(sampleid, constant(kTableSize - kGroupSize));
-}
-
-HWY_INLINE F toUnitFloat(V v) {
-    const hn::RebindToSigned<Words> integers;
-    const auto integer = hn::BitCast(integers, hn::ShiftRight<8>(v));
-    return hn::Mul(hn::ConvertTo(kFloats, integer), hn::Set(kFloats, 0x1p-24f));
 }
 
 /// The lower and the upper half of a vector of words, each word in 64 bits.
@@ -471,29 +432,6 @@ private:
     const uint32_t *lower_, *upper_;
 };
 
-HWY_INLINE void load(const SampleCtx* contexts, V& patternid, V& sampleid) {
-    hn::LoadInterleaved2(kWords, reinterpret_cast<const uint32_t*>(contexts), patternid, sampleid);
-}
-
-HWY_INLINE void store(V patternid, V sampleid, SampleCtx* contexts) {
-    hn::StoreInterleaved2(patternid, sampleid, kWords, reinterpret_cast<uint32_t*>(contexts));
-}
-
-/// Calls function(contexts, results) for each whole vector of them, and once for the rest, with
-/// copies that fill a vector.
-template <typename Context, typename Result, typename Function>
-HWY_INLINE void forVectors(std::size_t n, Context* contexts, Result* results, Function function) {
-    std::size_t i = 0;
-    for (; i + kLanes <= n; i += kLanes) function(contexts + i, results + i);
-    if (i == n) return;
-    SampleCtx someContexts[kLanes] = {};
-    Result someResults[kLanes];
-    const std::size_t rest = n - i;
-    for (std::size_t k = 0; k < rest; ++k) someContexts[k] = contexts[i + k];
-    function(someContexts, someResults);
-    for (std::size_t k = 0; k < rest; ++k) results[i + k] = someResults[k];
-}
-
 /// Puts random samples in the place of those of one vector from sample `end` on.
 template <typename Sample>
 HWY_INLINE void replaceBeyond(uint32_t end, const SampleCtx* contexts, Sample* xis) {
@@ -603,8 +541,16 @@ const Kernels kKernels = {
     drawJoint<float>,
     drawJoint<Float2>,
     drawJoint<Float3>,
+    drawSequence1D,
+    drawSequence2D,
+    drawSequence3D,
+    drawBlue1D,
+    drawBlue2D,
+    drawBlue3D,
     newDomainsSplit,
     newDomainsDistrib,
+    newBlueDomainsSplit,
+    newBlueDomainsDistrib,
     hashToRandom,
 };
 

@@ -6,7 +6,9 @@
 
 #include "RixRNG.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/blue_lookup.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/sequence_slots.h"
 
 #include <gtest/gtest.h>
 
@@ -34,13 +36,14 @@ std::vector<std::string> targets() {
 }
 
 /// What contexts of a batch look like.
-enum class Kind { coherent, mixedBlocks, atTheEnd, someBeyond, allBeyond, anything };
+enum class Kind { coherent, tiles, mixedBlocks, atTheEnd, someBeyond, allBeyond, anything };
 
 SampleCtx makeContext(Kind kind, unsigned i) {
     const unsigned pattern = HashToUnsigned(11, i);
     const unsigned random = HashToUnsigned(12, i);
     switch (kind) {
     case Kind::coherent: return {pattern, 37};
+    case Kind::tiles: return {HashToUnsigned(11, i / 40) << 12 | (i & 63u), 5 + i / 60};
     case Kind::mixedBlocks: return {pattern, random % kStratifiedSamples};
     case Kind::atTheEnd: return {pattern, kStratifiedSamples - random % 2};
     case Kind::someBeyond: return {pattern, random % (2 * kStratifiedSamples)};
@@ -58,8 +61,8 @@ protected:
     /// last, and the first is at any offset to the alignment of vectors.
     template <typename Check>
     void forBatches(Check check) {
-        for (const Kind kind : {Kind::coherent, Kind::mixedBlocks, Kind::atTheEnd, Kind::someBeyond,
-                                Kind::allBeyond, Kind::anything}) {
+        for (const Kind kind : {Kind::coherent, Kind::tiles, Kind::mixedBlocks, Kind::atTheEnd,
+                                Kind::someBeyond, Kind::allBeyond, Kind::anything}) {
             for (std::size_t n = 0; n <= kLongest; ++n) {
                 std::vector<SampleCtx> contexts(n);
                 for (std::size_t i = 0; i < n; ++i) {
@@ -101,24 +104,37 @@ protected:
         });
     }
 
+    /// One batch of a function that takes an order.
+    template <typename Sample, typename Draw, typename Scalar>
+    static void checkOrdered(const std::vector<SampleCtx>& contexts, Draw draw, Order order,
+                             Scalar scalar) {
+        const std::size_t n = contexts.size();
+        const auto drawn =
+            guarded<Sample>(n, [&](Sample* xis) { draw(n, contexts.data(), order, xis); });
+        for (std::size_t i = 0; i < n; ++i) {
+            const SampleCtx sc = contexts[i];
+            ASSERT_TRUE(sameBits(drawn[i], scalar(sc.patternid, sc.sampleid)))
+                << i << " of " << n << ", slot " << order.slot << " split by " << order.splits;
+        }
+    }
+
+    template <typename Sample, typename Draw, typename Scalar>
+    void checkPaddedDraws(Draw draw, Scalar scalar) {
+        forBatches([&](const std::vector<SampleCtx>& contexts) {
+            checkOrdered<Sample>(contexts, draw, Order{}, scalar);
+        });
+    }
+
     /// With splits of all kinds: odd, powers of 2, both, and the largest.
     template <typename Sample, typename Draw, typename Scalar>
     void checkJointDraws(Draw draw, Scalar scalar) {
         unsigned slot = 0;
         for (const unsigned split : {1u, 2u, 3u, 8u, 12u, 100u, 255u, 256u}) {
             forBatches([&](const std::vector<SampleCtx>& contexts) {
-                const std::size_t n = contexts.size();
                 slot = (slot + 1) % kJointSlots;
-                const auto drawn = guarded<Sample>(n, [&](Sample* xis) {
-                    draw(n, contexts.data(), jointOrder(slot, split), xis);
-                });
-                for (std::size_t i = 0; i < n; ++i) {
-                    const SampleCtx sc = contexts[i];
-                    const Sample expected =
-                        scalar(tables(), sc.patternid, sc.sampleid, slot, split);
-                    ASSERT_TRUE(sameBits(drawn[i], expected))
-                        << i << " of " << n << ", slot " << slot << " split by " << split;
-                }
+                checkOrdered<Sample>(
+                    contexts, draw, jointOrder(slot, split),
+                    [=](unsigned p, unsigned s) { return scalar(p, s, slot, split); });
             });
         }
     }
@@ -154,11 +170,35 @@ TEST_P(BatchTarget, Draws3D) {
                        [](unsigned p, unsigned s) { return sample3D(p, s); });
 }
 
-TEST_P(BatchTarget, JointDraws1D) { checkJointDraws<float>(drawJointSamples1D, jointSample1D); }
+TEST_P(BatchTarget, JointDraws1D) {
+    checkJointDraws<float>(drawJointSamples1D,
+                           [](auto... sample) { return jointSample1D(tables(), sample...); });
+}
 
-TEST_P(BatchTarget, JointDraws2D) { checkJointDraws<Float2>(drawJointSamples2D, jointSample2D); }
+TEST_P(BatchTarget, JointDraws2D) {
+    checkJointDraws<Float2>(drawJointSamples2D,
+                            [](auto... sample) { return jointSample2D(tables(), sample...); });
+}
 
-TEST_P(BatchTarget, JointDraws3D) { checkJointDraws<Float3>(drawJointSamples3D, jointSample3D); }
+TEST_P(BatchTarget, JointDraws3D) {
+    checkJointDraws<Float3>(drawJointSamples3D,
+                            [](auto... sample) { return jointSample3D(tables(), sample...); });
+}
+
+TEST_P(BatchTarget, SequenceDraws1D) {
+    checkPaddedDraws<float>(drawSequenceSamples1D, sequenceSample1D);
+    checkJointDraws<float>(drawSequenceSamples1D, jointSequenceSample1D);
+}
+
+TEST_P(BatchTarget, SequenceDraws2D) {
+    checkPaddedDraws<Float2>(drawSequenceSamples2D, sequenceSample2D);
+    checkJointDraws<Float2>(drawSequenceSamples2D, jointSequenceSample2D);
+}
+
+TEST_P(BatchTarget, SequenceDraws3D) {
+    checkPaddedDraws<Float3>(drawSequenceSamples3D, sequenceSample3D);
+    checkJointDraws<Float3>(drawSequenceSamples3D, jointSequenceSample3D);
+}
 
 // Every sampleid for which vector code divides, by every split: it divides in floats, which must be
 // exact. Then those around the ends.
@@ -178,6 +218,21 @@ TEST_P(BatchTarget, JointDrawsAreSplitExactly) {
                 << "sample " << sc.sampleid << " split by " << split;
         }
     }
+}
+
+TEST_P(BatchTarget, BlueDraws1D) {
+    checkPaddedDraws<float>(drawBlueSamples1D, blueSample1D);
+    checkJointDraws<float>(drawBlueSamples1D, blueSlotSample1D);
+}
+
+TEST_P(BatchTarget, BlueDraws2D) {
+    checkPaddedDraws<Float2>(drawBlueSamples2D, blueSample2D);
+    checkJointDraws<Float2>(drawBlueSamples2D, blueSlotSample2D);
+}
+
+TEST_P(BatchTarget, BlueDraws3D) {
+    checkPaddedDraws<Float3>(drawBlueSamples3D, blueSample3D);
+    checkJointDraws<Float3>(drawBlueSamples3D, blueSlotSample3D);
 }
 
 TEST_P(BatchTarget, NewDomains) {
@@ -203,6 +258,21 @@ TEST_P(BatchTarget, NewDomainsDistrib) {
                 newDomainsDistrib(n, parents, kScramble, first, children);
             },
             [=](SampleCtx sc) { return sc.NewDomainDistrib(kScramble, first); });
+    }
+}
+
+TEST_P(BatchTarget, NewBlueDomains) {
+    for (const unsigned count : {0u, 1u, 4u, 0x10001u}) {
+        checkDomains(
+            [=](std::size_t n, const SampleCtx* parents, SampleCtx* children) {
+                newBlueDomainsSplit(n, parents, kScramble, count, children);
+            },
+            [=](SampleCtx sc) { return newBlueDomainSplit(sc, kScramble, count); });
+        checkDomains(
+            [=](std::size_t n, const SampleCtx* parents, SampleCtx* children) {
+                newBlueDomainsDistrib(n, parents, kScramble, count, children);
+            },
+            [=](SampleCtx sc) { return newBlueDomainDistrib(sc, kScramble, count); });
     }
 }
 
@@ -244,6 +314,10 @@ TEST(Batch, NothingIsReadOrWrittenForZeroPoints) {
     drawSamples1D(0, nullptr, nullptr);
     generateSamples3D(0, nullptr, nullptr);
     drawJointSamples2D(0, nullptr, jointOrder(0), nullptr);
+    drawSequenceSamples1D(0, nullptr, {}, nullptr);
+    drawBlueSamples2D(0, nullptr, jointOrder(0, 3), nullptr);
+    newBlueDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
+    drawSequenceSamples3D(0, nullptr, jointOrder(0, 3), nullptr);
     newDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
     hashToRandom(0, nullptr, nullptr);
     EXPECT_STREQ(chosenBatchTarget(), batchTarget(0));

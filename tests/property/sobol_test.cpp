@@ -2,6 +2,7 @@
 //
 // The Sobol' sequence against published numbers, and the quality that its theory states.
 
+#include "wellstrat/bits.h"
 #include "wellstrat/sobol.h"
 
 #include "property/point_sets.h"
@@ -71,6 +72,18 @@ TEST(Sobol, SampleIsLinearOverGF2AndTakesAllIndexBits) {
         for (uint32_t i = 0; i < 4096; ++i) {
             const uint32_t a = mixBits(i), b = mixBits(~i);
             ASSERT_EQ(sobolSample(matrix, a ^ b), sobolSample(matrix, a) ^ sobolSample(matrix, b));
+        }
+    }
+}
+
+// The two products without loops, whose digits stand in opposite order.
+TEST(Sobol, ProductsAreTheMatrices) {
+    const SobolMatrix second = sobolMatrix(1), third = sobolMatrix(2);
+    for (uint32_t i = 0; i < 4096; ++i) {
+        for (const uint32_t index : {i, 1u << i % 32, mixBits(i)}) {
+            ASSERT_EQ(reverseBits(pascalTimes(index)), sobolSample(second, index)) << index;
+            ASSERT_EQ(reverseBits(trinomialTimes(index)), sobolSample(third, index)) << index;
+            ASSERT_EQ(pascalTimes(pascalTimes(index)), index);
         }
     }
 }

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Computed points: the first three dimensions of the Sobol' sequence for any index of 32 bits, with
+// Owen's scrambling by a hash. No tables and no end.
+//
+//     sampleid ---> nested shuffle ---> index ---> digits of x, y, z ---> scrambling ---> [0, 1)
+//                        ^                                                    ^
+//     pattern -----------+----------------------------------------------------+
+//
+// Digits stand in words with the first one, the most significant of the coordinate, in bit 0. In
+// that order nested uniform scrambling (owen.h) is a map in which each bit is flipped or not by the
+// bits below it, and that is what integer addition, multiplication by an odd number, and
+// n ^= 2 n n do (Klimov and Shamir 2003, "A New Class of Invertible Mappings"; Laine and Karras
+// 2011, section 3.1, and Burley 2020, "Practical Hash-based Owen Scrambling", scramble in that
+// way). An index in opposite order is such a word too, and its scrambling is a nested shuffle of
+// the order of samples.
+//
+// Start reading at `sequenceBits`, the definition of the samples. Generators that take the points
+// in another order, or move them, call what it calls.
+
+#pragma once
+
+#include "wellstrat/bits.h"
+#include "wellstrat/coordinate.h"
+#include "wellstrat/hash.h"
+#include "wellstrat/sobol.h"
+#include "wellstrat/vector.h"
+
+#include <cstdint>
+
+namespace wellstrat {
+inline namespace stream1 {
+
+/// Nested uniform scrambling of 32 digits, the first in bit 0, by a hash: a bijection in which
+/// output bit r is input bit r, flipped or not by a function of `key` and of the input bits below
+/// r. `key` is the product of a seed by an odd number: as the lowest bit of all such products is
+/// the same, the first digits take those in the middle.
+///
+/// That each single flip is fair and that any two are independent, in one tree and in the trees of
+/// two coordinates, is tested (tests/statistical/sequence_test.cpp), and so is the error of
+/// integrals against exact scrambling; docs/decisions/0015-hash-of-the-sequence.md has what else
+/// was tried.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t owenHash(uint32_t digits, uint32_t key) {
+    digits += (key >> 16) | (key << 16);
+    digits *= (key >> 7) | 1u;
+    return digits ^ (2u * digits * digits);
+}
+
+/// A nested shuffle of all indices: every aligned run of 2^m becomes an aligned run of 2^m, for
+/// m = 0 to 32, and in each the halves change places or not by a hash of `key` and of the run.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t nestedShuffle(uint32_t index, uint32_t key) {
+    return reverseBits(owenHash(reverseBits(index), key));
+}
+
+namespace detail {
+
+constexpr uint32_t kSequenceKey = 0x73657175u; // "sequ"
+
+/// Bits 0 to 15 of `x` in opposite order, as bits 16 to 31.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseLowHalf(uint32_t x) {
+    return reverseLowByte(x) | (reverseLowByte(x >> 8) >> 8);
+}
+
+/// The bits of `x` in opposite order.
+WELLSTRAT_HOST_DEVICE constexpr uint64_t reverseBits64(uint64_t x) {
+#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
+    // Sums, since processors add a multiple in one instruction.
+    x = __builtin_bswap64(x);
+    x = ((x & 0x0f0f0f0f0f0f0f0fu) << 4) + ((x >> 4) & 0x0f0f0f0f0f0f0f0fu);
+    x = ((x & 0x3333333333333333u) << 2) + ((x >> 2) & 0x3333333333333333u);
+    return ((x & 0x5555555555555555u) << 1) + ((x >> 1) & 0x5555555555555555u);
+#else
+    return uint64_t{reverseBits(static_cast<uint32_t>(x))} << 32 |
+           reverseBits(static_cast<uint32_t>(x >> 32));
+#endif
+}
+
+} // namespace detail
+
+/// What is needed of a pattern. All keys are this word times an odd constant, which mixes it well:
+/// the two together are the rounds of mixBits.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceSeed(uint32_t patternid) {
+    uint32_t x = patternid ^ detail::kSequenceKey;
+    x ^= x >> 16;
+    x *= detail::kFirstMultiplier;
+    return x ^ (x >> 15);
+}
+
+/// The keys of owenHash for a coordinate of a pattern with this seed, and for the shuffle. The
+/// multipliers are fractional parts of square roots of primes: numbers that nobody has chosen.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t scramblingKey(uint32_t seed, Coordinate coordinate) {
+    switch (coordinate) {
+    case Coordinate::x: return seed * 0xbb67ae85u; // sqrt(3)
+    case Coordinate::y: return seed * 0x3c6ef373u; // sqrt(5)
+    default: return seed * 0xa54ff53bu;            // sqrt(7), rounded to odd
+    }
+}
+WELLSTRAT_HOST_DEVICE constexpr uint32_t shuffleKey(uint32_t seed) {
+    return seed * 0x510e527fu; // sqrt(11)
+}
+
+/// The digits of a point before they are scrambled, each word with the first one in bit 0.
+struct PointDigits {
+    uint32_t x, y, z;
+};
+
+/// The point of an index. Any 2^m indices from a multiple of 2^m on make a (0,m,2)-net in (x, y)
+/// and a (1,m,3)-net in (x, y, z); so do they after an exclusive or of each word with a constant.
+WELLSTRAT_HOST_DEVICE constexpr PointDigits sequenceDigits(uint32_t index) {
+    return {index, pascalTimes(index), trinomialTimes(index)};
+}
+
+/// A coordinate with these digits, scrambled for a pattern with this seed, as a fraction of 2^32.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t scrambledBits(uint32_t digits, uint32_t seed,
+                                                       Coordinate coordinate) {
+    return reverseBits(owenHash(digits, scramblingKey(seed, coordinate)));
+}
+
+/// z, (x, y) and (x, y, z) of a point, scrambled for a pattern with this seed, in [0, 1): those
+/// bits by toUnitFloat.
+WELLSTRAT_HOST_DEVICE inline float scrambledSampleZ(PointDigits point, uint32_t seed) {
+    return toUnitFloat(scrambledBits(point.z, seed, Coordinate::z));
+}
+WELLSTRAT_HOST_DEVICE inline Float2 scrambledSampleXY(PointDigits point, uint32_t seed) {
+    const uint64_t x = owenHash(point.x, scramblingKey(seed, Coordinate::x));
+    const uint64_t y = owenHash(point.y, scramblingKey(seed, Coordinate::y));
+    return toUnitFloats(detail::reverseBits64(x << 32 | y));
+}
+WELLSTRAT_HOST_DEVICE inline Float3 scrambledSampleXYZ(PointDigits point, uint32_t seed) {
+    const Float2 xy = scrambledSampleXY(point, seed);
+    return {xy.x, xy.y, scrambledSampleZ(point, seed)};
+}
+
+/// The index of the point of sample `sampleid` of a pattern with this seed: its nested shuffle, by
+/// exclusive or with a constant that keeps the first 2^16 samples below 2^16. Under Owen's
+/// scrambling that changes nothing but what these cost.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceIndex(uint32_t seed, uint32_t sampleid) {
+    const uint32_t key = shuffleKey(seed);
+    return nestedShuffle(sampleid, key) ^ (nestedShuffle(0, key) & 0xffff0000u);
+}
+
+namespace detail {
+
+/// sequenceDigits of the two bytes of an index below 2^16, each found by what it is in opposite
+/// order, the upper byte first: x in the lower half of xy, y in the upper one, and z.
+struct DigitsOfBytes {
+    uint32_t xy[2][256];
+    uint16_t z[2][256];
+};
+
+extern WELLSTRAT_API const DigitsOfBytes kDigitsOfBytes;
+
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline PointDigits laterPoint(uint32_t seed,
+                                                                       uint32_t sampleid) {
+    return sequenceDigits(sequenceIndex(seed, sampleid));
+}
+
+} // namespace detail
+
+/// sequenceDigits(sequenceIndex(seed, sampleid)).
+WELLSTRAT_HOST_DEVICE inline PointDigits sequencePoint(uint32_t seed, uint32_t sampleid) {
+#if defined(__CUDA_ARCH__)
+    return detail::laterPoint(seed, sampleid);
+#else
+    if (WELLSTRAT_UNLIKELY(sampleid >= 0x10000u)) return detail::laterPoint(seed, sampleid);
+    const uint32_t shuffled = owenHash(detail::reverseLowHalf(sampleid), shuffleKey(seed));
+    const uint32_t lower = shuffled >> 24, upper = (shuffled >> 16) & 0xffu;
+    const detail::DigitsOfBytes& digits = detail::kDigitsOfBytes;
+    const uint32_t xy = digits.xy[0][upper] ^ digits.xy[1][lower];
+    return {xy & 0xffffu, xy >> 16, uint32_t{digits.z[0][upper]} ^ digits.z[1][lower]};
+#endif
+}
+
+/// A coordinate of sample `sampleid` of pattern `patternid` as a fraction of 2^32. Any two integers
+/// are valid: a pattern has 2^32 samples, and no two are alike.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t sequenceBits(uint32_t patternid, uint32_t sampleid,
+                                                      Coordinate coordinate) {
+    const uint32_t seed = sequenceSeed(patternid);
+    const PointDigits point = sequenceDigits(sequenceIndex(seed, sampleid));
+    switch (coordinate) {
+    case Coordinate::x: return scrambledBits(point.x, seed, coordinate);
+    case Coordinate::y: return scrambledBits(point.y, seed, coordinate);
+    default: return scrambledBits(point.z, seed, coordinate);
+    }
+}
+
+/// z, (x, y) and (x, y, z) of a sample in [0, 1): those bits by toUnitFloat.
+WELLSTRAT_HOST_DEVICE inline float sequenceSample1D(uint32_t patternid, uint32_t sampleid) {
+    const uint32_t seed = sequenceSeed(patternid);
+    return scrambledSampleZ(sequencePoint(seed, sampleid), seed);
+}
+WELLSTRAT_HOST_DEVICE inline Float2 sequenceSample2D(uint32_t patternid, uint32_t sampleid) {
+    const uint32_t seed = sequenceSeed(patternid);
+    return scrambledSampleXY(sequencePoint(seed, sampleid), seed);
+}
+WELLSTRAT_HOST_DEVICE inline Float3 sequenceSample3D(uint32_t patternid, uint32_t sampleid) {
+    const uint32_t seed = sequenceSeed(patternid);
+    return scrambledSampleXYZ(sequencePoint(seed, sampleid), seed);
+}
+
+} // namespace stream1
+} // namespace wellstrat
