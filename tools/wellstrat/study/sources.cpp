@@ -29,6 +29,14 @@ constexpr const char* kJointPrefix = "joint:";
 
 bool startsWith(const std::string& name, const char* prefix) { return name.rfind(prefix, 0) == 0; }
 
+/// Where the contexts of a pixel begin, as the generator says; null is the tables.
+PixelPattern patternOf(const Generator* generator) {
+    if (!generator) return cameraPattern;
+    return [generator](int x, int y, uint32_t seed) {
+        return generator->CameraContext(x, y, seed, 0).patternid;
+    };
+}
+
 /// The points of a file, of one pattern or many. Domains take one coordinate after the other.
 class FileSource final : public PointSource {
 public:
@@ -135,7 +143,8 @@ std::vector<StudySourceKind> studySourceKinds() {
     std::vector<StudySourceKind> kinds;
     for (const NamedGenerator& generator : namedGenerators()) {
         kinds.push_back({generator.name, generator.description,
-                         [g = generator.generator] { return generatorSource(g); }});
+                         [g = generator.generator] { return generatorSource(g); },
+                         patternOf(generator.generator)});
     }
     kinds.push_back({"joint", "the tables, domains stratified together: slots 0, 1, 2, ...",
                      [] { return jointSource(); }});
