@@ -7,7 +7,9 @@
 #include "common/command_line/options.h"
 #include "points/point_file.h"
 
+#include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,7 +25,6 @@ namespace wellstrat::cli {
 namespace {
 
 constexpr const char* kFilePrefix = "file:";
-constexpr const char* kJointPrefix = "joint:";
 
 bool startsWith(const std::string& name, const char* prefix) { return name.rfind(prefix, 0) == 0; }
 
@@ -56,11 +57,27 @@ private:
     PatternTable table_;
 };
 
+/// Names before slots, as in "joint:3+7", and the generator that these are of, as jointSource takes
+/// it.
+struct SlotKind {
+    const char* prefix;
+    const Generator* generator;
+};
+
+const std::vector<SlotKind>& slotKinds() {
+    static const LongProgressive longSamples;
+    static const BlueProgressive blue;
+    static const std::vector<SlotKind> kinds{
+        {"joint:", nullptr}, {"long:", &longSamples}, {"blue:", &blue}};
+    return kinds;
+}
+
 /// What "joint:3+7" names.
-StudySourceKind jointKind(const std::string& option, const std::string& name) {
+StudySourceKind jointKind(const std::string& option, const std::string& name,
+                          const SlotKind& kind) {
     std::vector<unsigned> slots;
     try {
-        std::istringstream words(name.substr(std::strlen(kJointPrefix)));
+        std::istringstream words(name.substr(std::strlen(kind.prefix)));
         if (name.back() == '+') throw std::invalid_argument("a slot is missing at the end");
         for (std::string word; std::getline(words, word, '+');) {
             uint64_t slot = 0;
@@ -70,19 +87,20 @@ StudySourceKind jointKind(const std::string& option, const std::string& name) {
             slots.push_back(static_cast<unsigned>(slot));
         }
         if (slots.empty()) throw std::invalid_argument("there is no slot");
-        jointSource(slots);
+        jointSource(slots, kind.generator);
     } catch (const std::invalid_argument& error) {
         throw CliError(
-            fmt::format("{}: '{}': {}; accepted are different slots from 0 to {}, as in "
-                        "joint:3+7",
-                        option, name, error.what(), kJointSlots - 1));
+            fmt::format("{}: '{}': {}; accepted are different slots from 0 to {}, as in {}3+7",
+                        option, name, error.what(), kJointSlots - 1, kind.prefix));
     }
-    return {name, "", [slots] { return jointSource(slots); }};
+    return {name, "", [slots, g = kind.generator] { return jointSource(slots, g); }};
 }
 
 /// `more` is what is accepted beside generators.
 StudySourceKind findKind(const std::string& option, const std::string& name, const char* more) {
-    if (startsWith(name, kJointPrefix)) return jointKind(option, name);
+    for (const SlotKind& kind : slotKinds()) {
+        if (startsWith(name, kind.prefix)) return jointKind(option, name, kind);
+    }
     std::vector<std::string> names;
     for (StudySourceKind& kind : studySourceKinds()) {
         if (kind.name == name) return std::move(kind);
@@ -98,7 +116,9 @@ PointSourcePtr makeSource(const std::string& name) {
         options.path = name.substr(std::strlen(kFilePrefix));
         return std::make_unique<FileSource>(readPatterns(options));
     }
-    return findKind("--generators", name, ", joint:SLOT+SLOT, file:PATH").make();
+    return findKind("--generators", name,
+                    ", joint:SLOT+SLOT, long:SLOT+SLOT, blue:SLOT+SLOT, file:PATH")
+        .make();
 }
 
 } // namespace
@@ -125,7 +145,7 @@ std::vector<StudySourceKind> studySourceKinds() {
 }
 
 StudySourceKind findStudySource(const std::string& option, const std::string& name) {
-    return findKind(option, name, ", joint:SLOT+SLOT");
+    return findKind(option, name, ", joint:SLOT+SLOT, long:SLOT+SLOT, blue:SLOT+SLOT");
 }
 
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names) {
