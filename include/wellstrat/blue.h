@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Samples whose errors cancel between neighbouring pixels: blue noise, at every sample count.
+// Samples whose errors cancel between neighboring pixels: blue noise, at every sample count.
 //
 // Pixels of other generators know nothing of each other, so their errors are white noise. Here all
 // samples of a block of pixels together are as well stratified as those of one pixel are, in each
@@ -41,7 +41,7 @@ inline namespace stream1 {
 /// states: of 50 domains of a path any two do in 0.12 % of the tiles.
 class WELLSTRAT_API BlueProgressive final : public OrderedGenerator {
 public:
-    constexpr BlueProgressive() = default;
+    constexpr BlueProgressive() : OrderedGenerator(Source::blue) {}
     ~BlueProgressive() override;
 
     float OrderedSample1D(const SampleCtx& sc, unsigned i, Order order) const override;

@@ -34,6 +34,7 @@ public:
         own,      ///< nobody's that it knows
         tables,   ///< those of JointProgressive (joint.h)
         sequence, ///< those of LongProgressive (long.h)
+        blue,     ///< those of BlueProgressive (blue.h)
     };
     Source source() const { return source_; }
 

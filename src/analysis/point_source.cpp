@@ -214,7 +214,7 @@ PointSourcePtr generatorSource(const Generator* generator) {
     return std::make_unique<GeneratorSource>(generator);
 }
 
-PointSourcePtr jointSource(const std::vector<unsigned>& slots) {
+PointSourcePtr jointSource(const std::vector<unsigned>& slots, const Generator* generator) {
     static const JointProgressive joint;
     std::vector<Scramble> scrambles;
     for (const unsigned slot : slots) {
@@ -232,7 +232,8 @@ PointSourcePtr jointSource(const std::vector<unsigned>& slots) {
     for (unsigned slot = 0; slots.empty() && slot < kJointSlots; ++slot) {
         scrambles.push_back(jointScramble(slot));
     }
-    return std::make_unique<GeneratorSource>(&joint, std::move(scrambles));
+    return std::make_unique<GeneratorSource>(generator != nullptr ? generator : &joint,
+                                             std::move(scrambles));
 }
 
 PointSourcePtr sobolSource(SobolRandomization randomization) {

@@ -12,6 +12,7 @@
 #define HWY_TARGET_INCLUDE "batch/blue_vector.cpp"
 #include "hwy/foreach_target.h"
 
+#include "batch/blue_ranks.h"
 #include "batch/blue_vector.h"
 #include "batch/sequence_orders.h"
 
@@ -95,11 +96,15 @@ public:
         : order_(order), seed_(hn::Zero(kWords)), sampleid_(seed_),
           point_(order_.point(seed_, sampleid_)) {}
 
-    HWY_INLINE PointVectors point(V seed, V sampleid) {
+    /// Valid until the next call. (To copy it, compilers take it apart.)
+    HWY_INLINE const PointVectors& point(V seed, V sampleid) {
         if (!same(seed, seed_) || !same(sampleid, sampleid_)) {
             seed_ = seed;
             sampleid_ = sampleid;
-            point_ = order_.point(seed, sampleid);
+            const PointVectors point = order_.point(seed, sampleid);
+            point_.x = point.x;
+            point_.y = point.y;
+            point_.z = point.z;
         }
         return point_;
     }
@@ -110,8 +115,8 @@ private:
     PointVectors point_;
 };
 
-// The two kinds of domains. places(patternid, seed) is where the ranks of pixels stand, rank(place)
-// the word of one, point(seed, sampleid) what they move.
+// The two kinds of domains. places(patternid, seed) is where the ranks of pixels stand, rank(n,
+// places) puts their words there, point(seed, sampleid) is what they move.
 
 /// bluePoint.
 class PaddedDomain {
@@ -127,9 +132,11 @@ public:
         return mover_.movedPlace(hn::And(patternid, constant(detail::kPlaceBits)));
     }
 
-    static detail::RankWord rank(uint32_t place) { return detail::kBlueTables.padded[place]; }
+    static void rank(std::size_t n, uint32_t* places) { paddedRanks(n, places); }
 
-    HWY_INLINE PointVectors point(V seed, V sampleid) { return points_.point(seed, sampleid); }
+    HWY_INLINE const PointVectors& point(V seed, V sampleid) {
+        return points_.point(seed, sampleid);
+    }
 
 private:
     KeptPoint<ShuffledSequence> points_;
@@ -147,11 +154,9 @@ public:
         return hn::And(patternid, constant(detail::kPlaceBits));
     }
 
-    detail::RankWord rank(uint32_t place) const {
-        return detail::kBlueTables.rank[slot_](detail::kBlueTables.slots[place]);
-    }
+    void rank(std::size_t n, uint32_t* places) const { slotRanks(n, slot_, places); }
 
-    HWY_INLINE PointVectors point(V seed, V sampleid) {
+    HWY_INLINE const PointVectors& point(V seed, V sampleid) {
         return points_.point(hn::And(seed, constant(~detail::kSlotSwapBit)), sampleid);
     }
 
@@ -161,12 +166,11 @@ private:
 };
 
 /// movedDigits, for `ranksZ` that are looked up already.
-HWY_INLINE PointVectors movedDigits(PointVectors point, V ranks, V ranksZ, V seed) {
-    point.x = hn::Xor(point.x, rankSeries(hn::And(ranks, constant(0xffff))));
-    point.y = hn::Xor(point.y, rankSeries(hn::ShiftRight<16>(ranks)));
-    point.z = hn::Xor(point.z, ranksZ);
-    const V exchanged = hn::And(hn::Xor(point.x, point.y), spreadBit<31>(seed));
-    return {hn::Xor(point.x, exchanged), hn::Xor(point.y, exchanged), point.z};
+HWY_INLINE PointVectors movedDigits(const PointVectors& point, V ranks, V ranksZ, V seed) {
+    const V x = hn::Xor(point.x, rankSeries(hn::And(ranks, constant(0xffff))));
+    const V y = hn::Xor(point.y, rankSeries(hn::ShiftRight<16>(ranks)));
+    const V exchanged = hn::And(hn::Xor(x, y), spreadBit<31>(seed));
+    return {hn::Xor(x, exchanged), hn::Xor(y, exchanged), hn::Xor(point.z, ranksZ)};
 }
 
 /// Draws `vectors` vectors of samples, kBlockVectors at most. First all places are found and then
@@ -186,14 +190,12 @@ HWY_INLINE void drawBlock(std::size_t vectors, const SampleCtx* contexts, Domain
         hn::Store(seed, kWords, seeds + i);
         hn::Store(domain.places(patternid, seed), kWords, ranks + i);
     }
-    for (std::size_t i = 0; i < n; ++i) {
-        ranks[i] = domain.rank(ranks[i]);
-        if constexpr (hasZ) ranksZ[i] = detail::kBlueTables.z(ranks[i] >> 4);
-    }
+    domain.rank(n, ranks);
+    if constexpr (hasZ) rankDigitsZ(n, ranks, ranksZ);
     for (std::size_t i = 0; i < n; i += kLanes) {
         load(contexts + i, patternid, sampleid);
         const V seed = hn::Load(kWords, seeds + i);
-        const PointVectors point = domain.point(seed, sampleid);
+        const PointVectors& point = domain.point(seed, sampleid);
         const V z = hasZ ? hn::Load(kWords, ranksZ + i) : hn::Zero(kWords);
         storeScrambled(movedDigits(point, hn::Load(kWords, ranks + i), z, seed), seed, xis + i);
     }

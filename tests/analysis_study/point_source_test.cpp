@@ -5,6 +5,7 @@
 #include "wellstrat/analysis/nets.h"
 #include "wellstrat/analysis/point_source.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 #include "wellstrat/lookup.h"
 #include "wellstrat/random_generator.h"
 
@@ -34,7 +35,10 @@ std::vector<std::pair<std::string, PointSourcePtr>> allSources() {
     std::vector<std::pair<std::string, PointSourcePtr>> sources;
     sources.emplace_back("pmj", generatorSource(nullptr));
     sources.emplace_back("random", generatorSource(&random));
+    static const LongProgressive longSamples;
     sources.emplace_back("joint", jointSource());
+    sources.emplace_back("long", generatorSource(&longSamples));
+    sources.emplace_back("long slots", jointSource({}, &longSamples));
     sources.emplace_back("sobol", sobolSource(SobolRandomization::none));
     sources.emplace_back("sobol-shift", sobolSource(SobolRandomization::digitalShift));
     sources.emplace_back("sobol-owen", sobolSource(SobolRandomization::owen));

@@ -98,10 +98,10 @@ class JointTest(CliTest):
     def test_slots_are_better_together_and_as_good_alone(self):
         """Guards against slots that are drawn as padded domains, which would be level, with 7
         percent of noise: slots have a tenth to a quarter of the error in the product."""
-        table = self.errors("pmj,joint,joint:3+7")
-        for name in ("joint", "joint:3+7"):
+        table = self.errors("pmj,long,joint,joint:3+7,long:3+7")
+        for name, padded in (("joint", "pmj"), ("joint:3+7", "pmj"), ("long:3+7", "long")):
             ratio = [float(table[name, integrand, 256]["rmse"]) /
-                     float(table["pmj", integrand, 256]["rmse"])
+                     float(table[padded, integrand, 256]["rmse"])
                      for integrand in ("gaussian^2", "disk")]
             self.assertLess(ratio[0], 0.6)
             self.assertLess(abs(ratio[1] - 1), 0.3)

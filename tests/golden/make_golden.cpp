@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // make_golden FILE: writes the golden values anew, but for those of slots (joint.h), which
-// make_golden --joint FILE writes. Only for a new stream version: as long as the version is the
-// same, a file that changes is a bug.
+// make_golden --joint FILE writes, and for those of long.h and blue.h: --long, --blue. Only for a
+// new stream version: as long as the version is the same, a file that changes is a bug.
 
 #include "golden.h"
 
@@ -81,20 +81,62 @@ void writeAll(std::ostream& out) {
 }
 
 /// All slots, both orders of each, and splits of all kinds.
+void writeSlots(Writer& write, const char* kind) {
+    for (uint32_t slot = 0; slot < wellstrat::kJointSlots; ++slot) {
+        for (const uint32_t pattern : {0u, 1u, 2u, 0x2d96c92bu}) {
+            for (const uint32_t sampleid : {1u, 0xfffu, 0x1234u, 196608u}) {
+                write(kind, {pattern, sampleid, slot, 1});
+            }
+            for (const uint32_t split : {3u, 12u, 256u}) {
+                for (const uint32_t sampleid : {7u, 131077u}) {
+                    write(kind, {pattern, sampleid, slot, split});
+                }
+            }
+        }
+    }
+}
+
 void writeJoint(std::ostream& out) {
     out << kHead << " --joint.\n";
     Writer write(out);
     write("stream");
-    for (uint32_t slot = 0; slot < wellstrat::kJointSlots; ++slot) {
-        for (const uint32_t pattern : {0u, 1u, 2u, 0x2d96c92bu}) {
-            for (const uint32_t sampleid : {1u, 0xfffu, 0x1234u, 196608u}) {
-                write("joint", {pattern, sampleid, slot, 1});
+    writeSlots(write, "joint");
+}
+
+void writeLong(std::ostream& out) {
+    out << kHead << " --long.\n";
+    Writer write(out);
+    write("stream");
+    for (const uint32_t pattern : kPatterns) {
+        for (const uint32_t sampleid : kSampleids) write("long", {pattern, sampleid});
+        for (const uint32_t sampleid : {0u, 65535u, 65536u, 0xffffffffu}) {
+            write("sequence", {pattern, sampleid});
+        }
+    }
+    writeSlots(write, "longslot");
+    for (const uint32_t split : {1u, 2u, 3u, 255u}) {
+        write("longslot", {5, 0xffffffffu, 7, split});
+        write("longslot", {5, 0x80000000u, 7, split});
+    }
+}
+
+void writeBlue(std::ostream& out) {
+    out << kHead << " --blue.\n";
+    Writer write(out);
+    write("stream");
+    for (const uint32_t pattern : kPatterns) {
+        for (const uint32_t sampleid : kSampleids) write("blue", {pattern, sampleid});
+        for (const uint32_t scramble : kScrambles) {
+            for (const uint32_t count : kCounts) write("bluesplit", {pattern, 7, scramble, count});
+            for (const uint32_t sampleid : {0u, 1u, 0xfffffu, 0x100000u, 0xffffffffu}) {
+                write("bluedistrib", {pattern, sampleid, scramble, sampleid / 2});
             }
-            for (const uint32_t split : {3u, 12u, 256u}) {
-                for (const uint32_t sampleid : {7u, 131077u}) {
-                    write("joint", {pattern, sampleid, slot, split});
-                }
-            }
+        }
+    }
+    writeSlots(write, "blueslot");
+    for (const uint32_t x : {0u, 1u, 63u, 64u, 0xffffu, 0x10000u, 0xffffffffu}) {
+        for (const uint32_t y : {0u, 1u, 1079u, 0xffffffffu}) {
+            for (const uint32_t seed : {0u, 1u, 0xffffffffu}) write("bluecamera", {x, y, seed, 9});
         }
     }
 }
@@ -102,15 +144,19 @@ void writeJoint(std::ostream& out) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const bool joint = argc == 3 && std::string(argv[1]) == "--joint";
-    if (argc != 2 && !joint) {
-        std::cerr << "usage: make_golden [--joint] FILE\n";
+    const std::string option = argc == 3 ? argv[1] : "";
+    const bool isKnown = option == "--joint" || option == "--long" || option == "--blue";
+    if (argc < 2 || argc > 3 || (argc == 3 && !isKnown)) {
+        std::cerr << "usage: make_golden [--joint | --long | --blue] FILE\n";
         return 2;
     }
     const std::string path = argv[argc - 1], unfinished = path + ".part";
     {
         std::ofstream out(unfinished, std::ios::binary);
-        joint ? writeJoint(out) : writeAll(out);
+        if (option == "--joint") writeJoint(out);
+        if (option == "--long") writeLong(out);
+        if (option == "--blue") writeBlue(out);
+        if (option.empty()) writeAll(out);
         if (!out.flush()) {
             std::cerr << "make_golden: cannot write " << unfinished << '\n';
             return 2;

@@ -127,6 +127,21 @@ bool isNet(unsigned runLog2, unsigned rankBits, Digits digits) {
     return true;
 }
 
+/// The same for the strata of z.
+template <typename Digits>
+bool fillsStrataOfZ(unsigned runLog2, unsigned rankBits, Digits digits) {
+    const unsigned all = runLog2 + rankBits;
+    std::vector<uint64_t> basis;
+    for (unsigned b = 0; b < all; ++b) {
+        const PointDigits p = b < runLog2 ? digits(1u << b, 0) : digits(0, 1u << (b - runLog2));
+        uint64_t row = p.z & ((uint64_t{1} << all) - 1);
+        for (const uint64_t other : basis) row = std::min(row, row ^ other);
+        if (row == 0) return false;
+        basis.push_back(row);
+    }
+    return true;
+}
+
 // What the draws above check for some runs and blocks, for all of them. (Before scrambling, which
 // keeps nets, and which the draws above went through.)
 TEST(BlueNets, HoldForAllRunsAndBlocks) {
@@ -138,6 +153,7 @@ TEST(BlueNets, HoldForAllRunsAndBlocks) {
         for (unsigned a = 0; a <= 6; ++a) {
             for (unsigned k = 0; k <= 12; ++k) {
                 EXPECT_TRUE(isNet(k, 2 * a, digits)) << "slot " << slot << " " << k << " " << a;
+                EXPECT_TRUE(fillsStrataOfZ(k, 2 * a, digits)) << slot << " " << k << " " << a;
             }
         }
     }
@@ -151,6 +167,7 @@ TEST(BlueNets, PaddedHoldForLongRuns) {
     for (unsigned a = 0; a <= 6; ++a) {
         for (unsigned k = 0; k + 2 * a <= 32; ++k) {
             EXPECT_TRUE(isNet(k, 2 * a, digits)) << k << " " << a;
+            EXPECT_TRUE(k > 12 || fillsStrataOfZ(k, 2 * a, digits)) << k << " " << a;
         }
     }
 }

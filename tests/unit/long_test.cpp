@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace wellstrat::test {
@@ -18,8 +19,7 @@ namespace {
 constexpr Scramble kOrdinary = static_cast<Scramble>(0x2d96c92bu);
 constexpr Scramble kOther = static_cast<Scramble>(0x3917fe2eu);
 
-// No state, and known before anything runs.
-constexpr LongProgressive kLong;
+const LongProgressive kLong;
 
 /// Contexts of many patterns, at sampleids where tables would end and where they never were.
 std::vector<SampleCtx> someContexts() {
@@ -47,7 +47,7 @@ protected:
         std::vector<float> z(count);
         std::vector<Float2> xy(count);
         std::vector<Float3> xyz(count);
-        for (const unsigned few : {3u, count}) { // by a loop, and by vector code
+        for (const unsigned few : {std::min(3u, count), count}) { // by a loop, and by vector code
             rng.DrawSamples1D(few, z.data());
             rng.DrawSamples2D(few, xy.data());
             rng.DrawSamples3D(few, xyz.data());

@@ -52,11 +52,13 @@ using PointSourcePtr = std::unique_ptr<const PointSource>;
 /// {p, 0}.NewDomain(d). The generator must outlive the source.
 WELLSTRAT_API PointSourcePtr generatorSource(const Generator* generator);
 
-/// The samples of JointProgressive (joint.h): domain d of pattern p is
-/// {p, 0}.NewDomain(jointScramble(slots[d])), drawn from this slot; domains beyond `slots` are
-/// those of generatorSource(nullptr). Without any slots, all of them: 0, 1, 2, ... Throws
-/// std::invalid_argument for a slot that there is not or that comes twice.
-WELLSTRAT_API PointSourcePtr jointSource(const std::vector<unsigned>& slots = {});
+/// The samples of slots (joint.h), of the tables or of another generator that has slots: domain d
+/// of pattern p is {p, 0}.NewDomain(jointScramble(slots[d])), drawn from this slot; domains beyond
+/// `slots` are those of generatorSource(generator). Without any slots, all of them: 0, 1, 2, ...
+/// Throws std::invalid_argument for a slot that there is not or that comes twice. The generator, if
+/// there is one, must outlive the source.
+WELLSTRAT_API PointSourcePtr jointSource(const std::vector<unsigned>& slots = {},
+                                         const Generator* generator = nullptr);
 
 /// What is done to the points of Sobol' for each pattern.
 enum class SobolRandomization { none, digitalShift, owen };

@@ -35,6 +35,8 @@ std::string listText() {
     };
     for (const StudySourceKind& kind : studySourceKinds()) row(kind.name, kind.description);
     row("joint:3+7", "the same with these slots, for as many domains");
+    row("long:3+7", "long with these slots");
+    row("blue:3+7", "blue with these slots");
     row("file:PATH", "the points of a file; NumPy arrays may hold many patterns");
     text += "\nIntegrands, with the dimensions of their domains\n";
     for (const IntegrandFamily& family : integrandFamilies()) {

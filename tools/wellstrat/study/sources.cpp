@@ -9,7 +9,9 @@
 #include "rivals/tile.h"
 #include "rivals/zsobol.h"
 
+#include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,7 +27,6 @@ namespace wellstrat::cli {
 namespace {
 
 constexpr const char* kFilePrefix = "file:";
-constexpr const char* kJointPrefix = "joint:";
 
 bool startsWith(const std::string& name, const char* prefix) { return name.rfind(prefix, 0) == 0; }
 
@@ -66,11 +67,27 @@ private:
     PatternTable table_;
 };
 
+/// Names before slots, as in "joint:3+7", and the generator that these are of, as jointSource takes
+/// it.
+struct SlotKind {
+    const char* prefix;
+    const Generator* generator;
+};
+
+const std::vector<SlotKind>& slotKinds() {
+    static const LongProgressive longSamples;
+    static const BlueProgressive blue;
+    static const std::vector<SlotKind> kinds{
+        {"joint:", nullptr}, {"long:", &longSamples}, {"blue:", &blue}};
+    return kinds;
+}
+
 /// What "joint:3+7" names.
-StudySourceKind jointKind(const std::string& option, const std::string& name) {
+StudySourceKind jointKind(const std::string& option, const std::string& name,
+                          const SlotKind& kind) {
     std::vector<unsigned> slots;
     try {
-        std::istringstream words(name.substr(std::strlen(kJointPrefix)));
+        std::istringstream words(name.substr(std::strlen(kind.prefix)));
         if (name.back() == '+') throw std::invalid_argument("a slot is missing at the end");
         for (std::string word; std::getline(words, word, '+');) {
             uint64_t slot = 0;
@@ -80,27 +97,31 @@ StudySourceKind jointKind(const std::string& option, const std::string& name) {
             slots.push_back(static_cast<unsigned>(slot));
         }
         if (slots.empty()) throw std::invalid_argument("there is no slot");
-        jointSource(slots);
+        jointSource(slots, kind.generator);
     } catch (const std::invalid_argument& error) {
         throw CliError(
-            fmt::format("{}: '{}': {}; accepted are different slots from 0 to {}, as in "
-                        "joint:3+7",
-                        option, name, error.what(), kJointSlots - 1));
+            fmt::format("{}: '{}': {}; accepted are different slots from 0 to {}, as in {}3+7",
+                        option, name, error.what(), kJointSlots - 1, kind.prefix));
     }
-    return {name, "", [slots] { return jointSource(slots); }};
+    return {name, "", [slots, g = kind.generator] { return jointSource(slots, g); },
+            patternOf(kind.generator)};
 }
 
-/// The one of `kinds`, or joint:SLOT+SLOT; `more` is what is accepted beside them.
+/// The one of `kinds`, or joint:SLOT+SLOT and its kin; `more` is what is accepted beside them.
 StudySourceKind findKind(const std::string& option, const std::string& name,
                          std::vector<StudySourceKind> kinds, const char* more) {
-    if (startsWith(name, kJointPrefix)) return jointKind(option, name);
+    for (const SlotKind& kind : slotKinds()) {
+        if (startsWith(name, kind.prefix)) return jointKind(option, name, kind);
+    }
     std::vector<std::string> names;
     for (StudySourceKind& kind : kinds) {
         if (kind.name == name) return std::move(kind);
         names.push_back(kind.name);
     }
-    throw CliError(fmt::format("{}: no generator is called '{}'; there are {}, joint:SLOT+SLOT{}",
-                               option, name, fmt::join(names, ", "), more));
+    throw CliError(
+        fmt::format("{}: no generator is called '{}'; there are {}, joint:SLOT+SLOT, "
+                    "long:SLOT+SLOT, blue:SLOT+SLOT{}",
+                    option, name, fmt::join(names, ", "), more));
 }
 
 StudySource makeSource(const std::string& name) {

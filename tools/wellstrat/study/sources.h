@@ -20,7 +20,7 @@ struct StudySourceKind {
     PixelPattern patternOf = cameraPattern; ///< in a study of pictures
 };
 
-/// All of them, but for joint:SLOT+SLOT and file:PATH.
+/// All of them, but for joint:SLOT+SLOT and its kin, and file:PATH.
 std::vector<StudySourceKind> studySourceKinds();
 
 /// Samplers of others that spread errors over neighboring pixels, for studies of pictures alone.
@@ -30,8 +30,8 @@ std::vector<StudySourceKind> rivalSourceKinds();
 std::vector<StudySourceKind> librarySourceKinds();
 
 /// The one called `name`; "joint:3+7" is JointProgressive with slot 3 for the first domain, 7 for
-/// the second, and none for others. Throws CliError, which names `option` and all generators, if
-/// there is none.
+/// the second, and none for others, "long:3+7" LongProgressive, "blue:3+7" BlueProgressive. Throws
+/// CliError, which names `option` and all generators, if there is none.
 StudySourceKind findStudySource(const std::string& option, const std::string& name);
 
 /// The sources with these names. "file:PATH" is a file of points, of one pattern or, as a NumPy
