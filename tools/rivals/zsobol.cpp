@@ -57,13 +57,14 @@ public:
         const uint32_t picture = hashPair(0x7a736f62u, pattern >> kPlaceBits); // "zsob"
         const unsigned stride = totalDims(domains);
         for (std::size_t d = 0; d < domains.size(); points += domains[d++]) {
-            const uint32_t seed = hashPair(picture, static_cast<uint32_t>(d));
-            for (std::size_t i = 0; i < count; ++i) {
-                const uint32_t index = pixel + static_cast<uint32_t>(i);
-                const uint32_t place = placeOf(index, kPlaceBits + log2, seed);
-                for (unsigned c = 0; c < domains[d]; ++c) {
+            for (unsigned c = 0; c < domains[d]; ++c) {
+                const auto pair = static_cast<uint32_t>(2 * d + c / 2);
+                const uint32_t seed = hashPair(picture, pair);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const uint32_t place =
+                        placeOf(pixel + static_cast<uint32_t>(i), kPlaceBits + log2, seed);
                     const uint32_t word =
-                        owenScramble(sobolSample(matrices_[c], place), hashPair(~seed, c));
+                        owenScramble(sobolSample(matrices_[c % 2], place), hashPair(~seed, c % 2));
                     points[i * stride + c] = word * 0x1p-32;
                 }
             }
@@ -80,8 +81,7 @@ public:
     }
 
 private:
-    std::array<SobolMatrix, kSobolDimensions> matrices_{sobolMatrix(0), sobolMatrix(1),
-                                                        sobolMatrix(2)};
+    std::array<SobolMatrix, 2> matrices_{sobolMatrix(0), sobolMatrix(1)};
 };
 
 } // namespace

@@ -9,11 +9,11 @@
 //     [digits of the pixel in Morton order] [digits of i]
 //
 // of an Owen-scrambled Sobol' sequence, base-4 digits from the highest on, each under one of the 24
-// permutations of {0, 1, 2, 3}, chosen by a hash of the digits above it and of the domain. So an
-// aligned block of 2^a x 2^a pixels takes an aligned run of the sequence: a net, if all samples are
-// taken. How many there are, a power of two, must be known before; other numbers are rounded up,
-// and then a part of the samples is never taken. Domains, in the paper pairs of dimensions, share
-// the sequence, with permutations and scrambling of their own.
+// permutations of {0, 1, 2, 3}, chosen by a hash of the digits above it and of the pair of
+// dimensions. So an aligned block of 2^a x 2^a pixels takes an aligned run of the sequence: a net,
+// if all samples are taken. How many there are, a power of two, must be known before; other numbers
+// are rounded up, and then a part of the samples is never taken. All pairs of dimensions share the
+// sequence, in 2D, with permutations and scrambling of their own.
 
 #pragma once
 
@@ -24,7 +24,7 @@
 namespace wellstrat::rivals {
 
 /// The points of the pixel that zsobolPattern names: new ones for each number of points, up to
-/// 65536 = 2^16. Here a third coordinate is the third dimension of Sobol'.
+/// 65536 = 2^16. A domain takes a pair, and one in 3D the first dimension of another for z.
 PointSourcePtr zsobolSource();
 
 /// Pixels (x, y) modulo 256 of the picture `seed` modulo 65536. Pictures are independent.
