@@ -18,6 +18,7 @@
 #include "RixRNGInline.h"
 #include "RixRNGProgressive.h"
 #include "wellstrat/array_argument.h"
+#include "wellstrat/blue_lookup.h"
 #include "wellstrat/detail/few_points.h"
 #include "wellstrat/generator.h"
 #include "wellstrat/joint_lookup.h"
@@ -157,6 +158,9 @@ public:
         case Drawn::sequence: return wellstrat::sequenceSample1D(sc.patternid, sc.sampleid);
         case Drawn::sequenceSlot:
             return wellstrat::jointSequenceSample1D(sc.patternid, sc.sampleid, order.slot, 1);
+        case Drawn::blue: return wellstrat::blueSample1D(sc.patternid, sc.sampleid);
+        case Drawn::blueSlot:
+            return wellstrat::blueSlotSample1D(sc.patternid, sc.sampleid, order.slot, 1);
         default: return generator->OrderedSample1D(sc, i, order);
         }
     }
@@ -172,6 +176,9 @@ public:
         case Drawn::sequence: return wellstrat::sequenceSample2D(sc.patternid, sc.sampleid);
         case Drawn::sequenceSlot:
             return wellstrat::jointSequenceSample2D(sc.patternid, sc.sampleid, order.slot, 1);
+        case Drawn::blue: return wellstrat::blueSample2D(sc.patternid, sc.sampleid);
+        case Drawn::blueSlot:
+            return wellstrat::blueSlotSample2D(sc.patternid, sc.sampleid, order.slot, 1);
         default: return generator->OrderedSample2D(sc, i, order);
         }
     }
@@ -187,6 +194,9 @@ public:
         case Drawn::sequence: return wellstrat::sequenceSample3D(sc.patternid, sc.sampleid);
         case Drawn::sequenceSlot:
             return wellstrat::jointSequenceSample3D(sc.patternid, sc.sampleid, order.slot, 1);
+        case Drawn::blue: return wellstrat::blueSample3D(sc.patternid, sc.sampleid);
+        case Drawn::blueSlot:
+            return wellstrat::blueSlotSample3D(sc.patternid, sc.sampleid, order.slot, 1);
         default: return generator->OrderedSample3D(sc, i, order);
         }
     }
@@ -309,9 +319,9 @@ private:
     RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen, Order ownOrder)
         : sampleCtxArray(contexts), numPts(numPoints), generator(gen), order(ownOrder) {}
 
-    /// What is drawn, where that needs no virtual call: from the tables or from the sequence,
-    /// padded or from slots without splits.
-    enum class Drawn { padded, slot, sequence, sequenceSlot, virtually };
+    /// What is drawn, where that needs no virtual call: from the tables or computed, padded or from
+    /// slots without splits.
+    enum class Drawn { padded, slot, sequence, sequenceSlot, blue, blueSlot, virtually };
 
     Drawn drawn() const {
         if (!generator) return Drawn::padded;
@@ -322,6 +332,7 @@ private:
         switch (generator->source()) {
         case Generator::Source::tables: return padded ? Drawn::padded : Drawn::slot;
         case Generator::Source::sequence: return padded ? Drawn::sequence : Drawn::sequenceSlot;
+        case Generator::Source::blue: return padded ? Drawn::blue : Drawn::blueSlot;
         default: return Drawn::virtually;
         }
     }

@@ -46,8 +46,10 @@ uint64_t Integrator::radiance(unsigned count, const CameraSample* samples, PathB
     std::fill_n(results, count, Float3(0.0f));
     for (unsigned i = 0; i < count; ++i) {
         const CameraSample& s = samples[i];
-        batch.contexts[i] = cameraContext(static_cast<int>(s.x), static_cast<int>(s.y), kFrame,
-                                          s.sampleid, options_.seed);
+        const int x = static_cast<int>(s.x), y = static_cast<int>(s.y);
+        batch.contexts[i] = options_.generator
+                                ? options_.generator->CameraContext(x, y, options_.seed, s.sampleid)
+                                : cameraContext(x, y, kFrame, s.sampleid, options_.seed);
     }
     RixRNG rng(batch.contexts, count, options_.generator);
     startPaths(rng, samples, batch);

@@ -2,7 +2,7 @@
 """Documents that say what was measured: runs the commands that they show and writes their tables and
 pictures anew. All between <!-- measured: NAME --> and <!-- end --> is written here.
 
-What scripts/docs-joint, docs-performance, docs-quality and docs-rendering share."""
+What scripts/docs-blue, docs-joint, docs-performance, docs-quality and docs-rendering share."""
 
 import argparse
 import os

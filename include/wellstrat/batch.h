@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The scalar functions of lookup.h, sequence.h, domain.h and hash.h over arrays, with the same
-// bits.
+// The scalar functions of lookup.h, sequence.h, blue.h, domain.h and hash.h over arrays, with the
+// same bits.
 //
 // All are compiled into the library. `n` may be 0, and then pointers may be null. Arrays need no
 // alignment beyond that of their type. Input and output may be the same array where their types
@@ -51,6 +51,16 @@ WELLSTRAT_API void drawSequenceSamples2D(std::size_t n, const SampleCtx* context
 WELLSTRAT_API void drawSequenceSamples3D(std::size_t n, const SampleCtx* contexts, Order order,
                                          Float3* xis);
 
+/// xis[i] = the sample of contexts[i] in a domain of this order, as BlueProgressive (blue.h) draws
+/// it, for i in [0, n): blueSlotSample1D, 2D and 3D for an order with a slot, else blueSample1D and
+/// its kin. Orders as above.
+WELLSTRAT_API void drawBlueSamples1D(std::size_t n, const SampleCtx* contexts, Order order,
+                                     float* xis);
+WELLSTRAT_API void drawBlueSamples2D(std::size_t n, const SampleCtx* contexts, Order order,
+                                     Float2* xis);
+WELLSTRAT_API void drawBlueSamples3D(std::size_t n, const SampleCtx* contexts, Order order,
+                                     Float3* xis);
+
 /// children[i] = parents[i].NewDomain(scramble), for i in [0, n); likewise the others.
 WELLSTRAT_API void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble,
                               SampleCtx* children);
@@ -58,6 +68,13 @@ WELLSTRAT_API void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Sc
                                      unsigned newsampleid, SampleCtx* children);
 WELLSTRAT_API void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                                    unsigned newnumsamples, SampleCtx* children);
+
+/// children[i] = newBlueDomainSplit(parents[i], scramble, newnumsamples), for i in [0, n);
+/// likewise the other.
+WELLSTRAT_API void newBlueDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                                       unsigned newnumsamples, SampleCtx* children);
+WELLSTRAT_API void newBlueDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                                         unsigned newsampleid, SampleCtx* children);
 
 /// xis[i] = HashToRandom(contexts[i].patternid, contexts[i].sampleid), for i in [0, n).
 WELLSTRAT_API void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis);

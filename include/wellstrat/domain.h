@@ -20,6 +20,14 @@ namespace detail {
 /// Keeps the keys of sampleids, in distribution, apart from scrambles: "dist" in ASCII.
 constexpr uint32_t kDistribKey = 0x64697374u;
 
+/// The inverse of an odd number modulo 2^32, by Newton's iteration: an odd number is its own in 3
+/// bits, and each step doubles them.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t oddInverse(uint32_t odd) {
+    uint32_t inverse = odd;
+    for (int bits = 3; bits < 32; bits *= 2) inverse *= 2u - odd * inverse;
+    return inverse;
+}
+
 } // namespace detail
 
 /// The constant that tells a new domain from its siblings. Any 32-bit value, but a different one
@@ -54,10 +62,7 @@ WELLSTRAT_HOST_DEVICE constexpr unsigned derivePattern(unsigned patternid, Scram
 /// The pattern of which derivePattern(., scramble) is `patternid`. For tests and tools.
 WELLSTRAT_HOST_DEVICE constexpr unsigned parentPattern(unsigned patternid, Scramble scramble) {
     const DerivationKey key = derivationKey(scramble);
-    // Newton's iteration for the inverse modulo 2^32: an odd number is its own in 3 bits, and each
-    // step doubles them.
-    uint32_t inverse = key.multiplier;
-    for (int bits = 3; bits < 32; bits *= 2) inverse *= 2u - key.multiplier * inverse;
+    const uint32_t inverse = detail::oddInverse(key.multiplier);
     return (patternid * inverse) ^ key.mask;
 }
 

@@ -50,6 +50,11 @@ public:
     void MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                               Float3* xis) const override;
 
+    /// What the wrapped generator says.
+    SampleCtx CameraContext(int x, int y, unsigned seed, unsigned sampleid) const override;
+    unsigned ParentPattern(unsigned patternid, Scramble scramble) const override;
+    unsigned PlaceBits() const override;
+
     /// What the wrapped generator says, but for the tag, by which the linter knows the derivation.
     Order ChildOrder(Order parent, Scramble scramble, unsigned split) const override;
     Order ViewOrder(Order parent) const override;

@@ -34,6 +34,7 @@ public:
         own,      ///< nobody's that it knows
         tables,   ///< those of JointProgressive (joint.h)
         sequence, ///< those of LongProgressive (long.h)
+        blue,     ///< those of BlueProgressive (blue.h)
     };
     Source source() const { return source_; }
 
@@ -64,6 +65,14 @@ public:
     virtual void MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                       Float3* xis) const;
 
+    // Where contexts begin.
+
+    /// The context of sample `sampleid` of pixel (x, y), for a RixRNG that has this generator. By
+    /// default cameraContext (camera.h) of frame 0: images of different seeds are independent, and
+    /// the frames of a sequence go on in the sampleid. Where there is no generator, that is right
+    /// too.
+    virtual SampleCtx CameraContext(int x, int y, unsigned seed, unsigned sampleid) const;
+
     // How domains are derived through a RixRNG.
 
     /// The order of a new domain, by default deriveOrder(parent, scramble, split): `split` is 1 for
@@ -83,6 +92,15 @@ public:
     virtual void MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Order order,
                                        Scramble scramble, unsigned newsampleid,
                                        SampleCtx* children) const;
+
+    /// The pattern whose new domain, plain or split, `patternid` belongs to, if it was derived by
+    /// `scramble`: what tools need to find the camera's pattern. By default parentPattern
+    /// (domain.h). Who overrides MultiNewDomainSplit overrides this too.
+    virtual unsigned ParentPattern(unsigned patternid, Scramble scramble) const;
+
+    /// How many of the last bits of a patternid are the same in all domains of a pixel, so that not
+    /// they keep domains apart. By default none.
+    virtual unsigned PlaceBits() const;
 
 protected:
     constexpr Generator() = default;

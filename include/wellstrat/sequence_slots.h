@@ -37,14 +37,17 @@ static_assert(kSlotDigits % 4 == 0 && kSlotDigits <= 16, "two places in a word, 
 
 extern WELLSTRAT_API const SlotOrders kSlotOrders;
 
+/// The bit of a pattern's seed that decides whether its order is U_d or P U_d.
+constexpr uint32_t kSlotSwapBit = 1u << 31;
+
 /// U_d and, 16 bits higher, P U_d times the low kSlotDigits bits of an index. The other way round
-/// for every other pattern, by the highest bit of its seed.
+/// for every other pattern.
 inline uint32_t slotPlaces(uint32_t seed, unsigned slot, uint32_t index) {
     uint32_t both = 0;
     for (unsigned k = 0; k < SlotOrders::kNibbles; ++k) {
         both ^= kSlotOrders.by4[slot][k][(index >> 4 * k) & 15u];
     }
-    return (seed >> 31) != 0 ? (both >> 16) | (both << 16) : both;
+    return (seed & kSlotSwapBit) != 0 ? (both >> 16) | (both << 16) : both;
 }
 
 /// Which block follows on which, and by what its indices are shifted: nothing in the first one. By

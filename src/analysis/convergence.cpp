@@ -2,9 +2,10 @@
 
 #include "wellstrat/analysis/convergence.h"
 
+#include "prefix_means.h"
+
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -15,87 +16,12 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// The two-sided 95 % quantile of the normal distribution.
 constexpr double kNormal95 = 1.959963984540054;
 
-void checkArguments(const std::vector<const Integrand*>& integrands,
-                    const std::vector<uint32_t>& counts, PatternRange patterns) {
-    for (const Integrand* integrand : integrands) {
-        if (integrand->domains != integrands[0]->domains) {
-            throw std::invalid_argument("the integrands of one call must have the same domains");
-        }
-    }
-    uint32_t last = 0;
-    for (const uint32_t count : counts) {
-        if (count <= last) {
-            throw std::invalid_argument("the numbers of points must increase, from 1 on");
-        }
-        last = count;
-    }
-    if (patterns.end > uint64_t{1} << 32) {
-        throw std::invalid_argument("there are no patterns from 2^32 on");
-    }
-}
-
 void addError(ErrorSums& sums, double error) {
     const double square = error * error;
     sums.first += error;
     sums.second += square;
     sums.fourth += square * square;
 }
-
-/// The errors of one pattern.
-class PatternErrors {
-public:
-    PatternErrors(const PointSource& source, const std::vector<const Integrand*>& integrands,
-                  const std::vector<uint32_t>& counts, ErrorSums* sums)
-        : source_(source), integrands_(integrands), counts_(counts), sums_(sums),
-          dims_(totalDims(integrands[0]->domains)), points_(std::size_t{counts.back()} * dims_) {}
-
-    void add(uint32_t pattern) {
-        if (source_.isProgressive()) {
-            draw(pattern, counts_.back());
-            for (std::size_t k = 0; k < integrands_.size(); ++k) addPrefixes(k);
-            return;
-        }
-        for (std::size_t c = 0; c < counts_.size(); ++c) {
-            draw(pattern, counts_[c]);
-            for (std::size_t k = 0; k < integrands_.size(); ++k) {
-                add(k, c, sumOfValues(k, 0, counts_[c], 0));
-            }
-        }
-    }
-
-private:
-    void draw(uint32_t pattern, uint32_t count) {
-        source_.draw(pattern, integrands_[0]->domains, count, points_.data());
-    }
-
-    /// `sum` and the values at points [begin, end), added in order.
-    double sumOfValues(std::size_t k, uint32_t begin, uint32_t end, double sum) const {
-        const auto& value = integrands_[k]->value;
-        for (uint32_t i = begin; i < end; ++i) sum += value(&points_[std::size_t{i} * dims_]);
-        return sum;
-    }
-
-    void addPrefixes(std::size_t k) {
-        double sum = 0;
-        uint32_t done = 0;
-        for (std::size_t c = 0; c < counts_.size(); ++c) {
-            sum = sumOfValues(k, done, counts_[c], sum);
-            done = counts_[c];
-            add(k, c, sum);
-        }
-    }
-
-    void add(std::size_t k, std::size_t c, double sum) {
-        addError(sums_[k * counts_.size() + c], sum / counts_[c] - integrands_[k]->integral);
-    }
-
-    const PointSource& source_;
-    const std::vector<const Integrand*>& integrands_;
-    const std::vector<uint32_t>& counts_;
-    ErrorSums* sums_;
-    unsigned dims_;
-    std::vector<double> points_;
-};
 
 } // namespace
 
@@ -108,11 +34,14 @@ ErrorSums& ErrorSums::operator+=(const ErrorSums& other) {
 
 void addErrors(const PointSource& source, const std::vector<const Integrand*>& integrands,
                const std::vector<uint32_t>& counts, PatternRange patterns, ErrorSums* sums) {
-    checkArguments(integrands, counts, patterns);
+    checkSubjects(integrands, counts, patterns.end);
     if (integrands.empty() || counts.empty()) return;
-    PatternErrors errors(source, integrands, counts, sums);
+    PrefixMeans means(source, integrands[0]->domains, counts);
     for (uint64_t pattern = patterns.begin; pattern < patterns.end; ++pattern) {
-        errors.add(static_cast<uint32_t>(pattern));
+        means.forEach(static_cast<uint32_t>(pattern), integrands,
+                      [&](std::size_t k, std::size_t c, double mean) {
+                          addError(sums[k * counts.size() + c], mean - integrands[k]->integral);
+                      });
     }
 }
 

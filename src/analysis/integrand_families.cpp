@@ -84,10 +84,6 @@ Value halfSpace(const std::vector<double>& weights, double bound) {
     });
 }
 
-IntegrandShape halfSpaceShape(const std::vector<double>& weights, double bound) {
-    return {halfSpaceVolume(weights, bound), halfSpace(weights, bound)};
-}
-
 Maker fixedHalfSpace(const std::vector<double>& weights, double bound) {
     return [shape = halfSpaceShape(weights, bound)](unsigned) { return shape; };
 }
@@ -217,6 +213,10 @@ std::vector<IntegrandRecipe> makeRecipes() {
 }
 
 } // namespace
+
+IntegrandShape halfSpaceShape(const std::vector<double>& weights, double bound) {
+    return {halfSpaceVolume(weights, bound), halfSpace(weights, bound)};
+}
 
 const std::vector<IntegrandRecipe>& integrandRecipes() {
     static const std::vector<IntegrandRecipe> recipes = makeRecipes();

@@ -18,6 +18,9 @@ struct IntegrandShape {
     std::function<double(const double*)> value;
 };
 
+/// 1 where weights . x < bound, else 0, for up to 8 coordinates.
+IntegrandShape halfSpaceShape(const std::vector<double>& weights, double bound);
+
 /// A family and the way to its members; the parameter is ignored if the family has none.
 struct IntegrandRecipe {
     IntegrandFamily family;

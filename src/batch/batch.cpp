@@ -112,6 +112,21 @@ void drawSequenceSamples3D(std::size_t n, const SampleCtx* contexts, Order order
     if (n > 0) chosenKernels().drawSequence3D(n, contexts, order.slot, order.splits, xis);
 }
 
+void drawBlueSamples1D(std::size_t n, const SampleCtx* contexts, Order order, float* xis) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawBlue1D(n, contexts, order.slot, order.splits, xis);
+}
+
+void drawBlueSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Float2* xis) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawBlue2D(n, contexts, order.slot, order.splits, xis);
+}
+
+void drawBlueSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawBlue3D(n, contexts, order.slot, order.splits, xis);
+}
+
 void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {
     newDomainsSplit(n, parents, scramble, 1, children);
 }
@@ -124,6 +139,16 @@ void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scrambl
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                      unsigned newnumsamples, SampleCtx* children) {
     if (n > 0) chosenKernels().newDomainsSplit(n, parents, scramble, newnumsamples, children);
+}
+
+void newBlueDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                         unsigned newnumsamples, SampleCtx* children) {
+    if (n > 0) chosenKernels().newBlueDomainsSplit(n, parents, scramble, newnumsamples, children);
+}
+
+void newBlueDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                           unsigned newsampleid, SampleCtx* children) {
+    if (n > 0) chosenKernels().newBlueDomainsDistrib(n, parents, scramble, newsampleid, children);
 }
 
 void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {

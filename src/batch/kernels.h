@@ -15,7 +15,8 @@ inline namespace stream1 {
 namespace batch {
 
 /// n >= 1 in all. The draws add `step`, 0 or 1, to each sampleid after its draw; with 0 the
-/// contexts are not written to. Those of the sequence are padded where `slot` is kJointSlots.
+/// contexts are not written to. Those of the sequence and of the blue one are padded where `slot`
+/// is kJointSlots.
 struct Kernels {
     const char* target;
     void (*draw1D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
@@ -36,10 +37,20 @@ struct Kernels {
                            Float2* xis);
     void (*drawSequence3D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
                            Float3* xis);
+    void (*drawBlue1D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                       float* xis);
+    void (*drawBlue2D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                       Float2* xis);
+    void (*drawBlue3D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                       Float3* xis);
     void (*newDomainsSplit)(std::size_t n, const SampleCtx* parents, Scramble scramble,
                             unsigned newnumsamples, SampleCtx* children);
     void (*newDomainsDistrib)(std::size_t n, const SampleCtx* parents, Scramble scramble,
                               unsigned newsampleid, SampleCtx* children);
+    void (*newBlueDomainsSplit)(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                                unsigned newnumsamples, SampleCtx* children);
+    void (*newBlueDomainsDistrib)(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                                  unsigned newsampleid, SampleCtx* children);
     void (*hashToRandom)(std::size_t n, const SampleCtx* contexts, float* xis);
 };
 

@@ -2,6 +2,7 @@
 
 #include "batch/kernels.h"
 
+#include "wellstrat/blue_lookup.h"
 #include "wellstrat/domain.h"
 #include "wellstrat/joint_lookup.h"
 #include "wellstrat/lookup.h"
@@ -29,7 +30,7 @@ void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, 
 }
 
 template <auto kPadded, auto kJoint, typename Sample>
-void drawSequence(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+void drawComputed(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
                   Sample* xis) {
     for (std::size_t i = 0; i < n; ++i) {
         const SampleCtx sc = contexts[i];
@@ -49,6 +50,20 @@ void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scrambl
                        unsigned newsampleid, SampleCtx* children) {
     for (std::size_t i = 0; i < n; ++i) {
         children[i] = parents[i].NewDomainDistrib(scramble, newsampleid);
+    }
+}
+
+void newBlueDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                         unsigned newnumsamples, SampleCtx* children) {
+    for (std::size_t i = 0; i < n; ++i) {
+        children[i] = newBlueDomainSplit(parents[i], scramble, newnumsamples);
+    }
+}
+
+void newBlueDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
+                           unsigned newsampleid, SampleCtx* children) {
+    for (std::size_t i = 0; i < n; ++i) {
+        children[i] = newBlueDomainDistrib(parents[i], scramble, newsampleid);
     }
 }
 
@@ -72,11 +87,16 @@ const Kernels kScalarKernels = {
     drawJoint<jointSample1D>,
     drawJoint<jointSample2D>,
     drawJoint<jointSample3D>,
-    drawSequence<sequenceSample1D, jointSequenceSample1D>,
-    drawSequence<sequenceSample2D, jointSequenceSample2D>,
-    drawSequence<sequenceSample3D, jointSequenceSample3D>,
+    drawComputed<sequenceSample1D, jointSequenceSample1D>,
+    drawComputed<sequenceSample2D, jointSequenceSample2D>,
+    drawComputed<sequenceSample3D, jointSequenceSample3D>,
+    drawComputed<blueSample1D, blueSlotSample1D>,
+    drawComputed<blueSample2D, blueSlotSample2D>,
+    drawComputed<blueSample3D, blueSlotSample3D>,
     newDomainsSplit,
     newDomainsDistrib,
+    newBlueDomainsSplit,
+    newBlueDomainsDistrib,
     hashToRandom,
 };
 

@@ -15,6 +15,7 @@
 #define HWY_TARGET_INCLUDE "batch/vector.cpp"
 #include "hwy/foreach_target.h"
 
+#include "batch/blue_vector.h"
 #include "batch/sequence_vector.h"
 #include "batch/vector_words.h"
 
@@ -563,8 +564,13 @@ const Kernels kKernels = {
     drawSequence1D,
     drawSequence2D,
     drawSequence3D,
+    drawBlue1D,
+    drawBlue2D,
+    drawBlue3D,
     newDomainsSplit,
     newDomainsDistrib,
+    newBlueDomainsSplit,
+    newBlueDomainsDistrib,
     hashToRandom,
 };
 

@@ -21,10 +21,10 @@ std::string hexadecimal(unsigned value) {
 
 } // namespace
 
-PathId pathOf(const Derivation& domain, SampleCtx context) {
+PathId pathOf(const Derivation& domain, SampleCtx context, const Generator& generator) {
     unsigned pattern = context.patternid;
     for (const Derivation* d = &domain; d != domain.base; d = d->parent) {
-        pattern = parentPattern(pattern, d->scramble);
+        pattern = generator.ParentPattern(pattern, d->scramble);
     }
     return {domain.base, {pattern, static_cast<unsigned>(context.sampleid / domain.splits)}};
 }

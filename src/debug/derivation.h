@@ -9,6 +9,7 @@
 #pragma once
 
 #include "wellstrat/domain.h"
+#include "wellstrat/generator.h"
 
 #include <cstddef>
 #include <deque>
@@ -39,9 +40,10 @@ struct PathId {
     SampleCtx start; ///< its context there
 };
 
-/// The path of a context of `domain`. Of a context that was not derived that way, such as one made
-/// by SampleCtx::NewDomain, it is a path of its own, with a pattern that nobody else has.
-PathId pathOf(const Derivation& domain, SampleCtx context);
+/// The path of a context of `domain`, which `generator` derived. Of a context that was not derived
+/// that way, such as one made by SampleCtx::NewDomain, it is a path of its own, with a pattern that
+/// nobody else has.
+PathId pathOf(const Derivation& domain, SampleCtx context, const Generator& generator);
 
 /// "camera > 0x03707344 > 0xa4093822 split 4".
 std::string nameOf(const Derivation& domain);

@@ -10,10 +10,11 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace detail {
 
-std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord& record) {
+std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord& record,
+                                const Generator& generator) {
     Uses uses;
     record.forEach(derivations, [&](const Derivation& domain, SampleCtx context, DrawCounts drawn) {
-        uses.push_back({&domain, context, drawn, pathOf(domain, context)});
+        uses.push_back({&domain, context, drawn, pathOf(domain, context, generator)});
     });
     Findings findings;
     std::sort(uses.begin(), uses.end(), lessByPath);
@@ -25,8 +26,8 @@ std::vector<Finding> findFaults(const Derivations& derivations, const DrawRecord
 
     std::sort(uses.begin(), uses.end(), lessByPattern);
     findSplits(uses, findings);
-    findDrawnTwice(uses, findings);
-    findSharedPatterns(uses, findings);
+    findDrawnTwice(uses, findings, generator.PlaceBits());
+    findSharedPatterns(uses, findings, generator.PlaceBits());
     return findings.sorted();
 }
 

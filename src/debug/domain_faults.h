@@ -6,6 +6,7 @@
 
 #include "debug/draw_record.h"
 #include "wellstrat/domain_finding.h"
+#include "wellstrat/generator.h"
 
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace detail {
 
-/// All faults in a record, sorted by kind and message.
-std::vector<DomainFinding> findFaults(const Derivations& derivations, const DrawRecord& record);
+/// All faults in a record of domains that `generator` derived, sorted by kind and message.
+std::vector<DomainFinding> findFaults(const Derivations& derivations, const DrawRecord& record,
+                                      const Generator& generator);
 
 } // namespace detail
 } // namespace stream1

@@ -88,7 +88,7 @@ public:
 
     std::vector<Finding> findings() {
         const std::lock_guard<std::mutex> lock(mutex_);
-        return detail::findFaults(derivations_, record_);
+        return detail::findFaults(derivations_, record_, inner);
     }
 
     std::string summary() {
@@ -156,6 +156,14 @@ void DomainLinter::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order o
                                         Float3* xis) const {
     state_->inner.MultiOrderedSample3D(n, sc, state_->add(order, n, sc, {1, 1}), xis);
 }
+
+SampleCtx DomainLinter::CameraContext(int x, int y, unsigned seed, unsigned sampleid) const {
+    return state_->inner.CameraContext(x, y, seed, sampleid);
+}
+unsigned DomainLinter::ParentPattern(unsigned patternid, Scramble scramble) const {
+    return state_->inner.ParentPattern(patternid, scramble);
+}
+unsigned DomainLinter::PlaceBits() const { return state_->inner.PlaceBits(); }
 
 Order DomainLinter::ChildOrder(Order parent, Scramble scramble, unsigned split) const {
     return state_->child(parent, scramble, split);

@@ -108,8 +108,9 @@ void findLostSlots(const Uses& uses, Findings& findings);
 
 /// Also sets `runsOver`. Sorted by pattern, as in the next two.
 void findSplits(Uses& uses, Findings& findings);
-void findDrawnTwice(const Uses& uses, Findings& findings);
-void findSharedPatterns(const Uses& uses, Findings& findings);
+/// `placeBits` as in Generator::PlaceBits.
+void findDrawnTwice(const Uses& uses, Findings& findings, unsigned placeBits);
+void findSharedPatterns(const Uses& uses, Findings& findings, unsigned placeBits);
 
 } // namespace detail
 } // namespace stream1

@@ -5,6 +5,7 @@
 #include "debug/fault_search.h"
 
 #include <cmath>
+#include <set>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -16,10 +17,22 @@ namespace {
 /// about with less than this probability, for each pair of domains.
 constexpr double kChance = 1e-6;
 
+/// Different patterns, as far as chance knows them: those of all pixels of a tile coincide at once.
+class Patterns {
+public:
+    explicit Patterns(unsigned placeBits) : placeBits_(placeBits) {}
+    void add(unsigned patternid) { states_.insert(patternid >> placeBits_); }
+    std::size_t count() const { return states_.size(); }
+
+private:
+    unsigned placeBits_;
+    std::set<unsigned> states_;
+};
+
 /// Whether so many coincidences among so many pairs of patterns are no chance: a bound on the tail
 /// of the Poisson distribution, mean^count / count!.
-bool isNoChance(std::size_t count, double pairs) {
-    const double mean = pairs * 0x1p-32;
+bool isNoChance(std::size_t count, double pairs, unsigned placeBits) {
+    const double mean = std::ldexp(pairs, static_cast<int>(placeBits) - 32);
     double logarithm = 0.0;
     for (std::size_t i = 1; i <= count; ++i) {
         logarithm += std::log(mean / static_cast<double>(i));
@@ -30,22 +43,27 @@ bool isNoChance(std::size_t count, double pairs) {
 /// Pairs of derivations that lead to one pattern.
 class SharedPatterns {
 public:
-    explicit SharedPatterns(const Uses& uses) {
+    SharedPatterns(const Uses& uses, unsigned placeBits) : placeBits_(placeBits) {
         for (const Use& use : uses) ++drawnOf_[use.path.start.patternid];
-        forEachRun(uses.begin(), uses.end(), sameDomainAndPattern,
-                   [&](auto first, auto) { ++patterns_[first->domain]; });
+        forEachRun(uses.begin(), uses.end(), sameDomainAndPattern, [&](auto first, auto) {
+            patterns_.try_emplace(first->domain, placeBits)
+                .first->second.add(first->context.patternid);
+        });
         forEachRun(uses.begin(), uses.end(), samePattern,
                    [&](auto first, auto last) { addPairs(first, last); });
     }
 
     void find(Findings& findings) const {
         for (const auto& [pair, shared] : shared_) {
-            const double pairs = patterns_.at(pair.first) * patterns_.at(pair.second);
-            if (!isNoChance(shared.size(), pairs)) continue;
+            const auto countOf = [this](const Derivation* domain) {
+                return static_cast<double>(patterns_.at(domain).count());
+            };
+            const double pairs = countOf(pair.first) * countOf(pair.second);
+            if (!isNoChance(shared.patterns.count(), pairs, placeBits_)) continue;
             const auto [a, b] = whereTheyMeet(pair);
             std::string names[] = {nameOf(*a), nameOf(*b)};
             std::sort(names, names + 2);
-            for (const SampleCtx path : shared) {
+            for (const SampleCtx path : shared.paths) {
                 findings.add(Fault::samePattern, names[0] + " and " + names[1] + ": one pattern",
                              path);
             }
@@ -56,6 +74,12 @@ private:
     using Iterator = Uses::const_iterator;
     using Pair = std::pair<const Derivation*, const Derivation*>;
 
+    struct Shared {
+        explicit Shared(unsigned placeBits) : patterns(placeBits) {}
+        Patterns patterns;
+        std::vector<SampleCtx> paths; ///< one of each pattern
+    };
+
     void addPairs(Iterator first, Iterator last) {
         std::vector<std::pair<Iterator, Iterator>> domains;
         forEachRun(first, last, sameDomainAndPattern,
@@ -64,7 +88,9 @@ private:
             for (std::size_t j = i + 1; j < domains.size(); ++j) {
                 const Pair pair{domains[i].first->domain, domains[j].first->domain};
                 if (mayBeOne(pair) && !shareSample(domains[i], domains[j])) continue;
-                shared_[pair].push_back(
+                Shared& shared = shared_.try_emplace(pair, placeBits_).first->second;
+                shared.patterns.add(first->context.patternid);
+                shared.paths.push_back(
                     likelier(domains[i].first->path.start, domains[j].first->path.start));
             }
         }
@@ -114,31 +140,33 @@ private:
         return {a, b};
     }
 
-    std::map<unsigned, std::size_t> drawnOf_;       ///< samples of each pattern of paths
-    std::map<const Derivation*, double> patterns_;  ///< how many each drew from
-    std::map<Pair, std::vector<SampleCtx>> shared_; ///< a path for each shared pattern
+    unsigned placeBits_;
+    std::map<unsigned, std::size_t> drawnOf_;        ///< samples of each pattern of paths
+    std::map<const Derivation*, Patterns> patterns_; ///< those each drew from
+    std::map<Pair, Shared> shared_;
 };
 
 } // namespace
 
-void findDrawnTwice(const Uses& uses, Findings& findings) {
+void findDrawnTwice(const Uses& uses, Findings& findings, unsigned placeBits) {
     const auto isFault = [](const Use& use) { return use.isTwice() && !use.runsOver; };
-    struct Patterns {
-        double all = 0;
-        std::size_t twice = 0;
+    struct Drawn {
+        explicit Drawn(unsigned bits) : all(bits), twice(bits) {}
+        Patterns all, twice;
     };
-    std::map<const Derivation*, Patterns> patterns;
+    std::map<const Derivation*, Drawn> patterns;
     forEachRun(uses.begin(), uses.end(), sameDomainAndPattern, [&](auto first, auto last) {
-        Patterns& counts = patterns[first->domain];
-        ++counts.all;
-        counts.twice += std::any_of(first, last, isFault);
+        Drawn& drawn = patterns.try_emplace(first->domain, placeBits).first->second;
+        drawn.all.add(first->context.patternid);
+        if (std::any_of(first, last, isFault)) drawn.twice.add(first->context.patternid);
     });
     for (const Use& use : uses) {
         if (!isFault(use)) continue;
         // Patterns of one chain of bijections never coincide; those of distribution may.
-        const Patterns& counts = patterns[use.domain];
-        const double pairs = use.path.base->parent ? counts.all * counts.all / 2 : 0.0;
-        if (!isNoChance(counts.twice, pairs)) continue;
+        const Drawn& drawn = patterns.at(use.domain);
+        const double all = static_cast<double>(drawn.all.count());
+        const double pairs = use.path.base->parent ? all * all / 2 : 0.0;
+        if (!isNoChance(drawn.twice.count(), pairs, placeBits)) continue;
         const bool xy = use.drawn.xy > use.pathTimes;
         const bool z = use.drawn.z > use.pathTimes;
         const char* what = xy && z ? "3D" : xy ? "2D" : "1D";
@@ -148,8 +176,8 @@ void findDrawnTwice(const Uses& uses, Findings& findings) {
     }
 }
 
-void findSharedPatterns(const Uses& uses, Findings& findings) {
-    SharedPatterns(uses).find(findings);
+void findSharedPatterns(const Uses& uses, Findings& findings, unsigned placeBits) {
+    SharedPatterns(uses, placeBits).find(findings);
 }
 
 } // namespace detail

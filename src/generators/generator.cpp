@@ -2,6 +2,7 @@
 
 #include "wellstrat/generator.h"
 
+#include "wellstrat/camera.h"
 #include "wellstrat/detail/few_points.h"
 
 namespace wellstrat {
@@ -48,6 +49,11 @@ void Generator::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order /*or
     MultiSample3D(n, sc, xis);
 }
 
+SampleCtx Generator::CameraContext(int x, int y, unsigned seed, unsigned sampleid) const {
+    constexpr unsigned kFrame = 0;
+    return cameraContext(x, y, kFrame, sampleid, seed);
+}
+
 Order Generator::ChildOrder(Order parent, Scramble scramble, unsigned split) const {
     return deriveOrder(parent, scramble, split);
 }
@@ -65,6 +71,12 @@ void Generator::MultiNewDomainDistrib(unsigned n, const SampleCtx& parents, Orde
                                       SampleCtx* children) const {
     detail::newDomainsDistrib(n, &parents, scramble, newsampleid, children);
 }
+
+unsigned Generator::ParentPattern(unsigned patternid, Scramble scramble) const {
+    return parentPattern(patternid, scramble);
+}
+
+unsigned Generator::PlaceBits() const { return 0; }
 
 OrderedGenerator::~OrderedGenerator() = default;
 

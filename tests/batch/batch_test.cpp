@@ -6,6 +6,7 @@
 
 #include "RixRNG.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/blue_lookup.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/sequence_slots.h"
 
@@ -35,13 +36,14 @@ std::vector<std::string> targets() {
 }
 
 /// What contexts of a batch look like.
-enum class Kind { coherent, mixedBlocks, atTheEnd, someBeyond, allBeyond, anything };
+enum class Kind { coherent, tiles, mixedBlocks, atTheEnd, someBeyond, allBeyond, anything };
 
 SampleCtx makeContext(Kind kind, unsigned i) {
     const unsigned pattern = HashToUnsigned(11, i);
     const unsigned random = HashToUnsigned(12, i);
     switch (kind) {
     case Kind::coherent: return {pattern, 37};
+    case Kind::tiles: return {HashToUnsigned(11, i / 40) << 12 | (i & 63u), 5 + i / 60};
     case Kind::mixedBlocks: return {pattern, random % kStratifiedSamples};
     case Kind::atTheEnd: return {pattern, kStratifiedSamples - random % 2};
     case Kind::someBeyond: return {pattern, random % (2 * kStratifiedSamples)};
@@ -59,8 +61,8 @@ protected:
     /// last, and the first is at any offset to the alignment of vectors.
     template <typename Check>
     void forBatches(Check check) {
-        for (const Kind kind : {Kind::coherent, Kind::mixedBlocks, Kind::atTheEnd, Kind::someBeyond,
-                                Kind::allBeyond, Kind::anything}) {
+        for (const Kind kind : {Kind::coherent, Kind::tiles, Kind::mixedBlocks, Kind::atTheEnd,
+                                Kind::someBeyond, Kind::allBeyond, Kind::anything}) {
             for (std::size_t n = 0; n <= kLongest; ++n) {
                 std::vector<SampleCtx> contexts(n);
                 for (std::size_t i = 0; i < n; ++i) {
@@ -218,6 +220,21 @@ TEST_P(BatchTarget, JointDrawsAreSplitExactly) {
     }
 }
 
+TEST_P(BatchTarget, BlueDraws1D) {
+    checkPaddedDraws<float>(drawBlueSamples1D, blueSample1D);
+    checkJointDraws<float>(drawBlueSamples1D, blueSlotSample1D);
+}
+
+TEST_P(BatchTarget, BlueDraws2D) {
+    checkPaddedDraws<Float2>(drawBlueSamples2D, blueSample2D);
+    checkJointDraws<Float2>(drawBlueSamples2D, blueSlotSample2D);
+}
+
+TEST_P(BatchTarget, BlueDraws3D) {
+    checkPaddedDraws<Float3>(drawBlueSamples3D, blueSample3D);
+    checkJointDraws<Float3>(drawBlueSamples3D, blueSlotSample3D);
+}
+
 TEST_P(BatchTarget, NewDomains) {
     checkDomains([](std::size_t n, const SampleCtx* parents,
                     SampleCtx* children) { newDomains(n, parents, kScramble, children); },
@@ -241,6 +258,21 @@ TEST_P(BatchTarget, NewDomainsDistrib) {
                 newDomainsDistrib(n, parents, kScramble, first, children);
             },
             [=](SampleCtx sc) { return sc.NewDomainDistrib(kScramble, first); });
+    }
+}
+
+TEST_P(BatchTarget, NewBlueDomains) {
+    for (const unsigned count : {0u, 1u, 4u, 0x10001u}) {
+        checkDomains(
+            [=](std::size_t n, const SampleCtx* parents, SampleCtx* children) {
+                newBlueDomainsSplit(n, parents, kScramble, count, children);
+            },
+            [=](SampleCtx sc) { return newBlueDomainSplit(sc, kScramble, count); });
+        checkDomains(
+            [=](std::size_t n, const SampleCtx* parents, SampleCtx* children) {
+                newBlueDomainsDistrib(n, parents, kScramble, count, children);
+            },
+            [=](SampleCtx sc) { return newBlueDomainDistrib(sc, kScramble, count); });
     }
 }
 
@@ -283,6 +315,8 @@ TEST(Batch, NothingIsReadOrWrittenForZeroPoints) {
     generateSamples3D(0, nullptr, nullptr);
     drawJointSamples2D(0, nullptr, jointOrder(0), nullptr);
     drawSequenceSamples1D(0, nullptr, {}, nullptr);
+    drawBlueSamples2D(0, nullptr, jointOrder(0, 3), nullptr);
+    newBlueDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
     drawSequenceSamples3D(0, nullptr, jointOrder(0, 3), nullptr);
     newDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
     hashToRandom(0, nullptr, nullptr);

@@ -35,7 +35,7 @@ BAD_INPUT = (
     ((*SAMPLE, "--pattern", "0x100000000"), "4294967295"),
     ((*SAMPLE, "--pattern", "-1"), "4294967295"),
     ((*SAMPLE, "--pattern", "zebra"), "'zebra'"),
-    ((*SAMPLE, "--generator", "sobol"), "pmj, random"),
+    ((*SAMPLE, "--generator", "sobol"), "pmj, random, long, blue, joint"),
     ((*SAMPLE, "--generator", "a\nb\x1b[31m"), r"'a\nb\x1b[31m'"),
     ((*SAMPLE, "--format", "xml"), "csv"),
     ((*SAMPLE, "--nonsense"), "--nonsense"),

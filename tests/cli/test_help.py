@@ -9,7 +9,7 @@ import unittest
 from support import RENDER_PROGRAM, CliTest
 
 RENDERING = ("render", "merge", "compare", "domains")
-SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study", "report", "bank",
+SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study", "report", "bank", "ranks",
                *(RENDERING if RENDER_PROGRAM else ()))
 OPTIONS = {
     "sample": ("--dims", "--count", "--first", "--pattern", "--generator", "--format", "-o",
@@ -19,11 +19,13 @@ OPTIONS = {
     "analyze": ("FILE", "--generator", "--count", "--dims", "--pattern", "--realizations",
                 "--format", "--type", "--domains", "--json", "--plot", "--keep-plot-files"),
     "info": ("--json",),
-    "study": ("--list", "--generators", "--integrands", "--counts", "--patterns", "--table",
-              "--fit-from", "-o", "--plot", "--keep-plot-files", "--resume", "--save-every"),
+    "study": ("--list", "--generators", "--integrands", "--counts", "--patterns", "--filter",
+              "--window", "--table", "--fit-from", "-o", "--plot", "--keep-plot-files", "--resume",
+              "--save-every"),
     "report": ("-o", "--generators", "--integrands", "--patterns", "--count", "--quick",
                "--thorough", "--bench", "--keep-plot-files"),
     "bank": ("--seed", "--rounds", "--slots", "--judge", "--integrands", "-o"),
+    "ranks": ("--seed", "--sweeps", "--rounds", "--slots", "--judge", "-o"),
     "render": ("-o", "--spp", "--generator", "--size", "--depth", "--split", "--distrib",
                "--time-limit", "--threads", "--seed", "--samples", "--checkpoint", "--save-every",
                "--resume", "--noise", "--environment", "--camera", "--look-at", "--up", "--fov",
@@ -73,7 +75,7 @@ class HelpTest(CliTest):
                 self.assertEqual(example[0], name)
                 if "--plot" in example or name == "report" or (
                         name == "verify" and "--tables" not in example) or (
-                            name == "bank" and "-o" in example):
+                            name in ("bank", "ranks") and "-o" in example):
                     continue  # needs gnuplot, which other tests do; or takes long
                 self.output_of(*example)
 

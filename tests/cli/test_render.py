@@ -125,7 +125,7 @@ class RenderTest(RenderCase):
                 ((*image, "--size", "0x4"), "--size"), ((*image, "--size", "4"), "--size"),
                 ((*image, "--size", "4x70000"), "65536"),
                 ((*image, "--size", "65536x65536"), "GB of memory"),
-                ((*image, "--generator", "sobl"), "pmj, random, long, joint"),
+                ((*image, "--generator", "sobl"), "pmj, random, long, blue, joint"),
                 ((*image, "--depth", "-1"), "--depth"), ((*image, "--split", "0"), "--split"),
                 ((*image, "--seed", "x"), "--seed"), ((*image, "--threads", "0"), "--threads"),
                 ((*image, "--time-limit", "nan"), "--time-limit"),

@@ -18,7 +18,7 @@ class SampleTest(CliTest):
 
     def test_formats_hold_equal_values(self):
         for dims in (1, 2, 3):
-            for generator in ("pmj", "random", "joint", "long"):
+            for generator in ("pmj", "random", "joint", "long", "blue"):
                 arguments = ("--dims", str(dims), "--count", "1000", "--pattern", "0xDEADBEEF",
                              "--first", "4000", "--generator", generator)
                 rows = self.csv(*arguments)

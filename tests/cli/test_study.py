@@ -29,7 +29,7 @@ class StudyTest(CliTest):
         text = self.output_of("study", "--list").decode()
         for word in ("disk", "triangle", "step", "gaussian", "bilinear", "edge-A", "soft-shadow",
                      "checkerboard-Z", "exp(-x^2 - y^2)", "pmj", "sobol-owen", "jitter",
-                     "halton", "joint", "joint:3+7", "long", "long:3+7", "file:PATH",
+                     "halton", "joint", "joint:3+7", "long", "long:3+7", "blue", "blue:3+7", "file:PATH",
                      "classic"):
             self.assertIn(word, text)
 

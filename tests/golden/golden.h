@@ -13,6 +13,7 @@
 
 #include "RixRNG.h"
 #include "wellstrat/batch.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/long.h"
@@ -115,6 +116,16 @@ inline Words longSlotSample(const Words& a) {
     return firstSample(a, &longSamples, wellstrat::jointOrder(a[2], a[3]));
 }
 
+inline Words blueSample(const Words& a) {
+    const wellstrat::BlueProgressive blue;
+    return firstSample(a, &blue);
+}
+
+inline Words blueSlotSample(const Words& a) {
+    const wellstrat::BlueProgressive blue;
+    return firstSample(a, &blue, wellstrat::jointOrder(a[2], a[3]));
+}
+
 /// All 32 bits of x, y and z, which floats cut.
 inline Words sequenceWords(const Words& a) {
     Words bits;
@@ -167,9 +178,10 @@ inline Words words(SampleCtx sc) { return {sc.patternid, sc.sampleid}; }
 /// The domain of the first context of batchFrom(a[0], a[1]), of all of which domain(rng, i) for the
 /// i-th and domains(rng, out) for all must agree.
 template <typename Domain, typename Domains>
-Words firstDomain(const Words& a, Domain domain, Domains domains) {
+Words firstDomain(const Words& a, Domain domain, Domains domains,
+                  const wellstrat::Generator* generator = nullptr) {
     auto parents = batchFrom(a[0], a[1]);
-    const RixRNG rng(parents.data(), static_cast<unsigned>(parents.size()));
+    const RixRNG rng(parents.data(), static_cast<unsigned>(parents.size()), generator);
     std::vector<SampleCtx> children(parents.size());
     domains(rng, children.data());
     for (unsigned i = 0; i < rng.numPts; ++i) {
@@ -198,6 +210,26 @@ inline Words split(const Words& a) {
         a, [&](const RixRNG& rng, unsigned i) { return rng.NewDomainSplit(i, scramble, a[3]); },
         [&](const RixRNG& rng, SampleCtx* out) { rng.NewDomainsSplit(scramble, a[3], out); });
 }
+inline Words blueSplit(const Words& a) {
+    const wellstrat::BlueProgressive blue;
+    const auto scramble = static_cast<Scramble>(a[2]);
+    return firstDomain(
+        a, [&](const RixRNG& rng, unsigned i) { return rng.NewDomainSplit(i, scramble, a[3]); },
+        [&](const RixRNG& rng, SampleCtx* out) { rng.NewDomainsSplit(scramble, a[3], out); },
+        &blue);
+}
+inline Words blueDistrib(const Words& a) {
+    const wellstrat::BlueProgressive blue;
+    const auto scramble = static_cast<Scramble>(a[2]);
+    return firstDomain(
+        a, [&](const RixRNG& rng, unsigned i) { return rng.NewDomainDistrib(i, scramble, a[3]); },
+        [&](const RixRNG& rng, SampleCtx* out) { rng.NewDomainsDistrib(scramble, a[3], out); },
+        &blue);
+}
+inline Words blueCamera(const Words& a) {
+    return words(
+        wellstrat::blueContext(static_cast<int>(a[0]), static_cast<int>(a[1]), a[2], a[3]));
+}
 inline Words camera(const Words& a) {
     return words(
         wellstrat::cameraContext(static_cast<int>(a[0]), static_cast<int>(a[1]), a[2], a[3]));
@@ -221,6 +253,8 @@ constexpr Kind kKinds[] = {
     {"joint", 4, jointSample},       // patternid sampleid slot split = x y z, of JointProgressive
     {"long", 2, longSample},         // patternid sampleid = x y z, of LongProgressive
     {"longslot", 4, longSlotSample}, // patternid sampleid slot split = x y z, of LongProgressive
+    {"blue", 2, blueSample},         // patternid sampleid = x y z, of BlueProgressive
+    {"blueslot", 4, blueSlotSample}, // patternid sampleid slot split = x y z, of BlueProgressive
     {"sequence", 2, sequenceWords},  // patternid sampleid = x y z, fractions of 2^32
     {"run", 3, run},                 // patternid first count = digest of the x, y, z of all
     {"table", 1, table},             // table = digest of its 4096 points
@@ -230,6 +264,10 @@ constexpr Kind kKinds[] = {
     {"split", 4, split},   // patternid sampleid scramble newnumsamples = patternid sampleid
     {"camera", 4, camera}, // x y frame sampleid = patternid sampleid
     {"seeded", 5, seeded}, // x y frame sampleid seed = patternid sampleid
+    // The same of BlueProgressive.
+    {"bluesplit", 4, blueSplit},
+    {"bluedistrib", 4, blueDistrib},
+    {"bluecamera", 4, blueCamera}, // x y seed sampleid = patternid sampleid
 };
 
 /// The line, without its end, of a record of this kind. Throws std::invalid_argument for a kind or

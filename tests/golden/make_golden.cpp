@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // make_golden FILE: writes the golden values anew, but for those of slots (joint.h), which
-// make_golden --joint FILE writes, and for those of long.h: --long. Only for a new stream version:
-// as long as the version is the same, a file that changes is a bug.
+// make_golden --joint FILE writes, and for those of long.h and blue.h: --long, --blue. Only for a
+// new stream version: as long as the version is the same, a file that changes is a bug.
 
 #include "golden.h"
 
@@ -120,12 +120,34 @@ void writeLong(std::ostream& out) {
     }
 }
 
+void writeBlue(std::ostream& out) {
+    out << kHead << " --blue.\n";
+    Writer write(out);
+    write("stream");
+    for (const uint32_t pattern : kPatterns) {
+        for (const uint32_t sampleid : kSampleids) write("blue", {pattern, sampleid});
+        for (const uint32_t scramble : kScrambles) {
+            for (const uint32_t count : kCounts) write("bluesplit", {pattern, 7, scramble, count});
+            for (const uint32_t sampleid : {0u, 1u, 0xfffffu, 0x100000u, 0xffffffffu}) {
+                write("bluedistrib", {pattern, sampleid, scramble, sampleid / 2});
+            }
+        }
+    }
+    writeSlots(write, "blueslot");
+    for (const uint32_t x : {0u, 1u, 63u, 64u, 0xffffu, 0x10000u, 0xffffffffu}) {
+        for (const uint32_t y : {0u, 1u, 1079u, 0xffffffffu}) {
+            for (const uint32_t seed : {0u, 1u, 0xffffffffu}) write("bluecamera", {x, y, seed, 9});
+        }
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     const std::string option = argc == 3 ? argv[1] : "";
-    if (argc < 2 || argc > 3 || (argc == 3 && option != "--joint" && option != "--long")) {
-        std::cerr << "usage: make_golden [--joint | --long] FILE\n";
+    const bool isKnown = option == "--joint" || option == "--long" || option == "--blue";
+    if (argc < 2 || argc > 3 || (argc == 3 && !isKnown)) {
+        std::cerr << "usage: make_golden [--joint | --long | --blue] FILE\n";
         return 2;
     }
     const std::string path = argv[argc - 1], unfinished = path + ".part";
@@ -133,6 +155,7 @@ int main(int argc, char** argv) {
         std::ofstream out(unfinished, std::ios::binary);
         if (option == "--joint") writeJoint(out);
         if (option == "--long") writeLong(out);
+        if (option == "--blue") writeBlue(out);
         if (option.empty()) writeAll(out);
         if (!out.flush()) {
             std::cerr << "make_golden: cannot write " << unfinished << '\n';

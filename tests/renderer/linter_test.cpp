@@ -5,6 +5,7 @@
 #include "rendering.h"
 
 #include "renderer/builtin_scenes.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/domain_linter.h"
 #include "wellstrat/joint.h"
 
@@ -22,7 +23,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Linted, ::testing::Values("cornell", "lens", "s
 TEST_P(Linted, HasNoFaults) {
     const Scene scene = builtinScene(GetParam());
     const JointProgressive joint;
-    const Generator* const inners[] = {nullptr, &joint};
+    const BlueProgressive blue;
+    const Generator* const inners[] = {nullptr, &joint, &blue};
     for (const Generator* inner : inners) {
         for (const unsigned split : {1u, 3u}) {
             for (const bool distrib : {false, true}) {

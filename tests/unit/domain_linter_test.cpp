@@ -5,6 +5,7 @@
 #include "wellstrat/domain_linter.h"
 
 #include "RixRNG.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/random_generator.h"
@@ -45,6 +46,7 @@ public:
     unsigned pixels = 8, samples = 6, bounces = 4;
     bool byHand = false; ///< derive what follows the camera without the RixRNG's help
     bool slots = false;
+    bool blue = false; ///< contexts of a BlueProgressive
     Plant plant = Plant::nothing;
 
     void trace(const Generator* generator) const {
@@ -61,7 +63,8 @@ private:
     void tracePass(const Generator* generator, unsigned sampleid) const {
         Contexts contexts(pixels);
         for (unsigned i = 0; i < pixels; ++i) {
-            contexts[i] = cameraContext(static_cast<int>(i), 7, 1, sampleid);
+            contexts[i] = blue ? blueContext(static_cast<int>(i), 7, 1, sampleid)
+                               : cameraContext(static_cast<int>(i), 7, 1, sampleid);
         }
         RixRNG rng(contexts.data(), pixels, generator);
         Contexts domain(pixels);
@@ -340,6 +343,31 @@ TEST(DomainLinter, FindsSlotsTakenTwice) {
     const DomainLinter linter(&joint);
     integrator.trace(&linter);
     expectOnly(linter.findings(), Fault::slotTwice, words);
+}
+
+/// The way back to the camera's context is the generator's. All pixels are of one tile, in which
+/// coincidences are one.
+TEST(DomainLinter, KnowsHowBlueDomainsAreDerived) {
+    const BlueProgressive blue;
+    const auto findingsOf = [&](Plant plant) {
+        Integrator integrator;
+        integrator.slots = integrator.blue = true;
+        integrator.plant = plant;
+        const DomainLinter linter(&blue);
+        integrator.trace(&linter);
+        return linter.findings();
+    };
+    EXPECT_EQ(textOf(findingsOf(Plant::nothing)), "");
+    expectOnly(findingsOf(Plant::slotAtEveryBounce), Fault::slotTwice,
+               "slot 1 twice on a path: camera > 0x03707344 > 0x03707344 > 0x6a6f696f (slot 1) and "
+               "camera > 0x03707344 > 0x6a6f696f (slot 1)");
+    for (const auto& [plant, fault] : {std::pair(Plant::contextsCopied, Fault::samePattern),
+                                       std::pair(Plant::shortSplit, Fault::splitCount),
+                                       std::pair(Plant::sampleidsSkipped, Fault::skipped)}) {
+        const std::vector<DomainLinter::Finding> findings = findingsOf(plant);
+        ASSERT_FALSE(findings.empty());
+        EXPECT_EQ(findings.front().fault, fault) << textOf(findings);
+    }
 }
 
 /// Slots have no meaning below distribution and below large splits.

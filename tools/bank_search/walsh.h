@@ -11,14 +11,15 @@
 namespace wellstrat::bank {
 
 /// In place; the size is a power of two. Twice gives the size times the original.
-inline void walshTransform(std::vector<float>& values) {
+template <typename Real>
+void walshTransform(std::vector<Real>& values) {
     const std::size_t size = values.size();
     for (std::size_t half = 1; half < size; half *= 2) {
         for (std::size_t block = 0; block < size; block += 2 * half) {
-            float* low = values.data() + block;
-            float* high = low + half;
+            Real* low = values.data() + block;
+            Real* high = low + half;
             for (std::size_t i = 0; i < half; ++i) {
-                const float sum = low[i] + high[i];
+                const Real sum = low[i] + high[i];
                 high[i] = low[i] - high[i];
                 low[i] = sum;
             }

@@ -239,7 +239,7 @@ void addDomains(CLI::App& app, int& exitCode) {
     addNumber(*command, "--seeds", options->seeds, {2, kMostSeeds},
               "Images of each kind, with seeds from --seed on [16]");
     addRenderGenerators(*command, options->generators,
-                        "What is compared with the floor: joint, long, pmj, random [joint]");
+                        "What is compared with the floor: joint, long, blue, pmj, random [joint]");
     command->add_option("-o,--output", options->output, "The numbers: FILE.json")
         ->type_name("FILE");
     command->footer(kExamples);

@@ -17,5 +17,6 @@ void addInfo(CLI::App& app, int& exitCode);
 void addStudy(CLI::App& app, int& exitCode);
 void addReport(CLI::App& app, int& exitCode);
 void addBank(CLI::App& app, int& exitCode);
+void addRanks(CLI::App& app, int& exitCode);
 
 } // namespace wellstrat::cli

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
                            "Well-stratified samples for renderers.",
                            kExamples,
                            {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy,
-                            addReport, addBank, addRenderCommands}},
+                            addReport, addBank, addRanks, addRenderCommands}},
                           argc, argv);
     });
 }

@@ -3,6 +3,7 @@
 #include "generators.h"
 
 #include "errors.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/long.h"
 #include "wellstrat/random_generator.h"
@@ -14,10 +15,12 @@ namespace wellstrat::cli {
 const std::vector<NamedGenerator>& namedGenerators() {
     static const LongProgressive longSamples;
     static const RandomGenerator random;
+    static const BlueProgressive blue;
     static const std::vector<NamedGenerator> generators{
         {"pmj", "well stratified, from the tables", nullptr},
         {"random", "independent random numbers", &random},
         {"long", "well stratified without end, computed", &longSamples},
+        {"blue", "well stratified, together with those of neighboring pixels", &blue},
     };
     return generators;
 }

@@ -241,7 +241,7 @@ void addCompare(CLI::App& app, int& exitCode) {
     const auto options = std::make_shared<CompareOptions>();
     addSceneOptions(*command, options->scene)->required();
     addRenderGenerators(*command, options->generators,
-                        "What is compared: pmj, joint, long, random [pmj,random]");
+                        "What is compared: pmj, joint, long, blue, random [pmj,random]");
     addCounts(*command, options->spp);
     addFilters(*command, options->filters);
     command

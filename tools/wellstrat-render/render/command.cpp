@@ -40,7 +40,9 @@ Ctrl-C and --time-limit write what is there; --resume FILE goes on from such an 
 checkpoint, with the same command, also with more --spp.
 
 --generator joint stratifies the first domains of each path together, which pays from some 64
-samples a pixel on.
+samples a pixel on. --generator blue does, too, and stratifies the samples of neighboring pixels
+together: their errors cancel when the image is seen from afar, filtered or denoised, from one
+sample a pixel on.
 
 --noise E stops pixels whose estimated standard error, and that of the pixels around them, is at
 most E times their luminance plus 0.01 (0.05: 5 %). It looks after 16, 32, 64, ... samples, and

@@ -50,7 +50,7 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
         ->type_name("FILE");
     command
         .add_option("--generator", options.generator,
-                    "What draws the samples: pmj, joint, long or random [pmj]")
+                    "What draws the samples: pmj, joint, long, blue or random [pmj]")
         ->type_name("NAME");
     addNumber(command, "--spp", options.spp, {1, kMaxWord}, "Samples of each pixel [64]");
     addSamples(command, options.samples);

@@ -43,7 +43,7 @@ void addErrorTable(ReportWriter& report) {
         columns.push_back(c);
         table.header.push_back(fmt::format("N = {}", counts[c]));
     }
-    const Integrand* shown = nullptr;
+    const IntegrandPicture* shown = nullptr;
     for (const StudyCurve& curve : report.contents.curves) {
         const bool isFirst = std::exchange(shown, curve.integrand) != curve.integrand;
         table.rows.push_back({isFirst ? curve.integrand->name : "", curve.source->name});

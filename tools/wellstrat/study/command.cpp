@@ -36,6 +36,7 @@ std::string listText() {
     for (const StudySourceKind& kind : studySourceKinds()) row(kind.name, kind.description);
     row("joint:3+7", "the same with these slots, for as many domains");
     row("long:3+7", "long with these slots");
+    row("blue:3+7", "blue with these slots");
     row("file:PATH", "the points of a file; NumPy arrays may hold many patterns");
     text += "\nIntegrands, with the dimensions of their domains\n";
     for (const IntegrandFamily& family : integrandFamilies()) {
@@ -46,9 +47,20 @@ std::string listText() {
                                             : ""));
     }
     text += "\nProducts over domains of their own, at most 5: disk^2, disk*linear, ...\n\nGroups\n";
-    for (const IntegrandGroup& group : integrandGroups()) {
-        row(group.name, fmt::format("{}", fmt::join(group.members, " ")));
+    const auto rowsOf = [&row](const std::vector<IntegrandGroup>& groups) {
+        for (const IntegrandGroup& group : groups) {
+            row(group.name, fmt::format("{}", fmt::join(group.members, " ")));
+        }
+    };
+    rowsOf(integrandGroups());
+    text += "\nWith --filter: more generators\n";
+    for (const StudySourceKind& kind : rivalSourceKinds()) row(kind.name, kind.description);
+    text += "\nWith --filter: integrands of pixel (X, Y), u = sin(X / 40) and v = sin(Y / 40)\n";
+    for (const IntegrandPictureKind& kind : integrandPictureKinds()) {
+        row(kind.name, fmt::format("{}  {}", fmt::join(kind.domains, "+"), kind.formula));
     }
+    text += "\nWith --filter: groups\n";
+    rowsOf(integrandPictureGroups());
     return text;
 }
 
@@ -106,9 +118,33 @@ StudyResult startOf(const StudyOptions& options, const StudyPlan& plan) {
     return {0, std::vector<ErrorSums>(plan.cells())};
 }
 
+StudyPlan picturePlan(const StudyOptions& options) {
+    const GaussianFilter filter(*options.filter);
+    if (options.window <= 2 * filter.border()) {
+        throw CliError(fmt::format(
+            "--window: with --filter {} there must be more than {} pixels a side, not {}",
+            filter.sigma(), 2 * filter.border(), options.window));
+    }
+    StudyPlan plan{makePictureSources(options.generators),
+                   parsePictures(options.integrands, static_cast<unsigned>(options.window)),
+                   parseCounts(*options.counts), *options.patterns, filter};
+    if (plan.patterns > kMaxStudyPictures) {
+        throw CliError(
+            fmt::format("--patterns: with --filter there are at most {} pictures, not {}",
+                        kMaxStudyPictures, plan.patterns));
+    }
+    if (plan.counts.size() > kMaxPictureCounts) {
+        throw CliError(fmt::format("--counts: with --filter at most {} numbers of points, not {}",
+                                   kMaxPictureCounts, plan.counts.size()));
+    }
+    return plan;
+}
+
 StudyPlan planOf(const StudyOptions& options) {
-    StudyPlan plan{makeStudySources(options.generators), parseIntegrands(options.integrands),
-                   parseCounts(options.counts), options.patterns};
+    StudyPlan plan = options.filter ? picturePlan(options)
+                                    : StudyPlan{makeStudySources(options.generators),
+                                                parseIntegrands(options.integrands),
+                                                parseCounts(*options.counts), *options.patterns};
     checkPlan(plan);
     if (options.plot && plan.integrands.size() > kMaxPlottedIntegrands) {
         throw CliError(fmt::format("--plot: at most {} integrands can be drawn, not {}",
@@ -149,15 +185,17 @@ int finish(const StudyOptions& options, const StudyPlan& plan, const StudyResult
             studyCurves(plan, result, static_cast<uint32_t>(options.fitFrom));
         files.write(plan, result, curves);
         if (!options.output || *options.output != "-") {
-            printText(studyTable(plan, result, curves, tableColumns(options, plan)));
+            printText(plan.filter ? pictureTable(plan, result, curves)
+                                  : studyTable(plan, result, curves, tableColumns(options, plan)));
         }
     }
     if (complete) {
         if (options.writesToFile()) std::filesystem::remove(options.statePath());
         return 0;
     }
-    fmt::print(stderr, "wellstrat: interrupted after {} of {} patterns{}\n", result.patterns,
-               plan.patterns, options.writesToFile() ? "; --resume goes on" : "");
+    fmt::print(stderr, "wellstrat: interrupted after {} of {} {}{}\n", result.patterns,
+               plan.patterns, plan.filter ? "pictures" : "patterns",
+               options.writesToFile() ? "; --resume goes on" : "");
     return kExitInterrupted;
 }
 
@@ -203,7 +241,10 @@ void addStudy(CLI::App& app, int& exitCode) {
         app.add_subcommand("study", "Measure the error of integrals against the number of points");
     const auto options = std::make_shared<StudyOptions>();
     addStudyOptions(*command, *options);
-    command->callback([options, &exitCode] { exitCode = studyOnRanks(*options); });
+    command->callback([options, &exitCode] {
+        options->setDefaults();
+        exitCode = studyOnRanks(*options);
+    });
 }
 
 } // namespace wellstrat::cli

@@ -58,8 +58,8 @@ Plot studyFigure(const StudyPlan& plan, const StudyResult& result,
     const std::size_t rows = (panels + columns - 1) / columns;
     std::string data, script = kStyle;
     fmt::format_to(std::back_inserter(script),
-                   "set multiplot layout {},{} title 'RMSE over {} patterns, 95 % bands'\n", rows,
-                   columns, result.patterns);
+                   "set multiplot layout {},{} title '{}, 95 % bands'\n", rows, columns,
+                   studyTitle(plan, result));
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const StudyCurve& curve = curves[i];
         const std::size_t place = i % perPanel;

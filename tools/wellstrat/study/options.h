@@ -14,11 +14,12 @@
 namespace wellstrat::cli {
 
 struct StudyOptions {
-    std::vector<std::string> generators{"pmj", "random"};
-    std::vector<std::string> integrands{"classic"};
-    std::string counts = "pow2:4..4096";
+    std::vector<std::string> generators, integrands;
+    std::optional<std::string> counts;
     std::string table = "16,64,256,1024,4096";
-    uint64_t patterns = 1000;
+    std::optional<uint64_t> patterns;
+    std::optional<double> filter; ///< of a study of pictures
+    uint64_t window = 76;
     uint64_t fitFrom = 16;
     uint64_t saveEvery = 30;
     std::optional<std::string> output;
@@ -26,6 +27,9 @@ struct StudyOptions {
     bool keepPlotFiles = false;
     bool resume = false;
     bool list = false;
+
+    /// Sets what was not given, and depends on whether there are pictures.
+    void setDefaults();
 
     bool writesToFile() const { return output && *output != "-"; }
     /// Of a study that writes to a file.

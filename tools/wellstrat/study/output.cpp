@@ -93,14 +93,18 @@ std::string studyJson(const StudyPlan& plan, const StudyResult& result,
                       const std::vector<StudyCurve>& curves) {
     nlohmann::ordered_json json = versionedJson();
     json["patterns"] = result.patterns;
+    if (plan.filter) {
+        json["filter"] = plan.filter->sigma();
+        json["window"] = plan.integrands[0].size;
+    }
     json["points"] = plan.counts;
     json["curves"] = nlohmann::ordered_json::array();
     for (const StudyCurve& curve : curves) {
         nlohmann::ordered_json entry{{"generator", curve.source->name},
-                                     {"integrand", curve.integrand->name},
-                                     {"integral", curve.integrand->integral},
-                                     {"slope", slopeJson(curve.allCounts)},
-                                     {"slope_at_powers_of_two", slopeJson(curve.powersOfTwo)}};
+                                     {"integrand", curve.integrand->name}};
+        if (!plan.filter) entry["integral"] = curve.integrand->pixels[0].integral;
+        entry["slope"] = slopeJson(curve.allCounts);
+        entry["slope_at_powers_of_two"] = slopeJson(curve.powersOfTwo);
         for (const ErrorEstimate& error : curve.errors) {
             entry["rmse"].push_back(error.rmse);
             entry["low"].push_back(jsonNumber(error.low));
@@ -112,21 +116,28 @@ std::string studyJson(const StudyPlan& plan, const StudyResult& result,
     return json.dump(2) + "\n";
 }
 
+std::string studyTitle(const StudyPlan& plan, const StudyResult& result) {
+    if (!plan.filter) return fmt::format("RMSE over {} patterns", result.patterns);
+    return fmt::format("RMSE after a Gaussian of {} pixels over {} pictures of {}x{}",
+                       plan.filter->sigma(), result.patterns, plan.integrands[0].size,
+                       plan.integrands[0].size);
+}
+
 std::string studyTable(const StudyPlan& plan, const StudyResult& result,
                        const std::vector<StudyCurve>& curves,
                        const std::vector<uint32_t>& columns) {
     std::size_t width = 9;
     for (const StudySource& source : plan.sources) width = std::max(width, source.name.size());
-    std::string text = fmt::format(
-        "{}\nRMSE over {} patterns; +- says how well a line fits, not how certain the slope is\n",
-        versionLine(), result.patterns);
+    std::string text =
+        fmt::format("{}\n{}; +- says how well a line fits, not how certain the slope is\n",
+                    versionLine(), studyTitle(plan, result));
     const auto out = std::back_inserter(text);
-    const Integrand* shown = nullptr;
+    const IntegrandPicture* shown = nullptr;
     for (const StudyCurve& curve : curves) {
         if (curve.integrand != shown) {
             shown = curve.integrand;
-            fmt::format_to(out, "\n{}, integral {:.9g}\n{:<{}}", shown->name, shown->integral,
-                           "generator", width);
+            fmt::format_to(out, "\n{}, integral {:.9g}\n{:<{}}", shown->name,
+                           shown->pixels[0].integral, "generator", width);
             for (const uint32_t n : columns) fmt::format_to(out, " {:>10}", fmt::format("N={}", n));
             fmt::format_to(out, "  {:<16} {}\n", "slope", "at powers of 2");
         }

@@ -15,7 +15,7 @@ namespace wellstrat::cli {
 /// One generator with one integrand.
 struct StudyCurve {
     const StudySource* source;
-    const Integrand* integrand;
+    const IntegrandPicture* integrand;
     std::vector<ErrorEstimate> errors; ///< for each of the plan's counts
     SlopeFit allCounts, powersOfTwo;   ///< from the counts from the study's first one to fit on
 };
@@ -33,6 +33,14 @@ std::string studyCsv(const StudyPlan& plan, const StudyResult& result,
 /// The same with formulas, integrals and slopes.
 std::string studyJson(const StudyPlan& plan, const StudyResult& result,
                       const std::vector<StudyCurve>& curves);
+
+/// What the errors are, such as "RMSE over 60 patterns".
+std::string studyTitle(const StudyPlan& plan, const StudyResult& result);
+
+/// Of pictures: the ratio of the RMSE to that of the plan's first generator, at all counts, and the
+/// geometric means over groups of integrands that are there.
+std::string pictureTable(const StudyPlan& plan, const StudyResult& result,
+                         const std::vector<StudyCurve>& curves);
 
 /// The RMSE at the counts `columns`, all of the plan, and the slopes, for readers.
 std::string studyTable(const StudyPlan& plan, const StudyResult& result,

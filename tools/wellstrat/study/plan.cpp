@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace wellstrat::cli {
 namespace {
@@ -46,18 +47,9 @@ void addCounts(const std::string& text, std::set<uint32_t>& counts) {
     }
 }
 
-} // namespace
-
-std::vector<uint32_t> parseCounts(const std::string& text) {
-    std::set<uint32_t> counts;
-    std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, ',');) addCounts(part, counts);
-    if (counts.empty()) throw countError(text);
-    return {counts.begin(), counts.end()};
-}
-
-std::vector<Integrand> parseIntegrands(const std::vector<std::string>& names) {
-    const std::vector<IntegrandGroup> groups = integrandGroups();
+/// The names, groups written out and repetitions dropped.
+std::vector<std::string> ungrouped(const std::vector<std::string>& names,
+                                   const std::vector<IntegrandGroup>& groups) {
     std::vector<std::string> all;
     const auto add = [&all](const std::string& name) {
         if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(name);
@@ -71,18 +63,46 @@ std::vector<Integrand> parseIntegrands(const std::vector<std::string>& names) {
             for (const std::string& member : group->members) add(member);
         }
     }
-    std::vector<Integrand> integrands;
+    return all;
+}
+
+/// What make(name) gives for each name.
+template <typename Make>
+std::vector<IntegrandPicture> makeAll(const std::vector<std::string>& names, Make make) {
+    std::vector<IntegrandPicture> integrands;
     try {
-        for (const std::string& name : all) integrands.push_back(makeIntegrand(name));
+        for (const std::string& name : names) integrands.push_back(make(name));
     } catch (const std::invalid_argument& error) {
         throw CliError(fmt::format("--integrands: {}; see 'wellstrat study --list'", error.what()));
     }
     return integrands;
 }
 
+} // namespace
+
+std::vector<uint32_t> parseCounts(const std::string& text) {
+    std::set<uint32_t> counts;
+    std::istringstream parts(text);
+    for (std::string part; std::getline(parts, part, ',');) addCounts(part, counts);
+    if (counts.empty()) throw countError(text);
+    return {counts.begin(), counts.end()};
+}
+
+std::vector<IntegrandPicture> parseIntegrands(const std::vector<std::string>& names) {
+    return makeAll(ungrouped(names, integrandGroups()), [](const std::string& name) {
+        Integrand integrand = makeIntegrand(name);
+        return IntegrandPicture{name, integrand.domains, 1, {std::move(integrand)}};
+    });
+}
+
+std::vector<IntegrandPicture> parsePictures(const std::vector<std::string>& names, unsigned size) {
+    return makeAll(ungrouped(names, integrandPictureGroups()),
+                   [size](const std::string& name) { return makeIntegrandPicture(name, size); });
+}
+
 void checkPlan(const StudyPlan& plan) {
     for (const StudySource& source : plan.sources) {
-        for (const Integrand& integrand : plan.integrands) {
+        for (const IntegrandPicture& integrand : plan.integrands) {
             try {
                 source.source->check(integrand.domains, plan.counts.back(), plan.patterns);
             } catch (const std::invalid_argument& error) {

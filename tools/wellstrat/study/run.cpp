@@ -20,7 +20,7 @@ namespace {
 struct Group {
     std::size_t source;
     std::vector<std::size_t> indices; ///< of the integrands
-    std::vector<const Integrand*> integrands;
+    std::vector<const IntegrandPicture*> integrands;
 };
 
 std::vector<Group> groupsOf(const StudyPlan& plan) {
@@ -47,13 +47,14 @@ public:
     /// Calls done(share of the tasks) after each task. False if it was interrupted.
     template <typename Done>
     bool run(PatternRange patterns, Done done) {
-        const uint64_t chunks = (patterns.end - patterns.begin + kChunk - 1) / kChunk;
+        const uint64_t chunk = plan_.filter ? 1 : 4; ///< patterns in a task
+        const uint64_t chunks = (patterns.end - patterns.begin + chunk - 1) / chunk;
         const uint64_t tasks = chunks * groups_.size();
         std::atomic<uint64_t> finished{0};
         tbb::parallel_for(uint64_t{0}, tasks, [&](uint64_t task) {
             if (InterruptGuard::interrupted) return;
-            const uint64_t begin = patterns.begin + task / groups_.size() * kChunk;
-            add(task % groups_.size(), {begin, std::min(begin + kChunk, patterns.end)});
+            const uint64_t begin = patterns.begin + task / groups_.size() * chunk;
+            add(task % groups_.size(), {begin, std::min(begin + chunk, patterns.end)});
             done(static_cast<double>(++finished) / static_cast<double>(tasks));
         });
         return finished == tasks;
@@ -62,14 +63,25 @@ public:
     std::vector<ErrorSums>& sums() { return sums_; }
 
 private:
-    static constexpr uint64_t kChunk = 4; ///< patterns in a task
+    void measure(const Group& group, PatternRange patterns, ErrorSums* sums) const {
+        const StudySource& source = plan_.sources[group.source];
+        if (plan_.filter) {
+            addPictureErrors({*source.source, source.patternOf}, group.integrands, plan_.counts,
+                             *plan_.filter, patterns, sums);
+            return;
+        }
+        std::vector<const Integrand*> integrands;
+        for (const IntegrandPicture* picture : group.integrands) {
+            integrands.push_back(&picture->pixels[0]);
+        }
+        addErrors(*source.source, integrands, plan_.counts, patterns, sums);
+    }
 
     void add(std::size_t g, PatternRange patterns) {
         const Group& group = groups_[g];
         const std::size_t counts = plan_.counts.size();
         std::vector<ErrorSums> sums(group.integrands.size() * counts);
-        addErrors(*plan_.sources[group.source].source, group.integrands, plan_.counts, patterns,
-                  sums.data());
+        measure(group, patterns, sums.data());
         const std::lock_guard<std::mutex> lock(locks_[g]);
         for (std::size_t k = 0; k < group.indices.size(); ++k) {
             ErrorSums* const to = &sums_[plan_.firstCell(group.source, group.indices[k])];

@@ -6,7 +6,10 @@
 #include "common/command_line/generators.h"
 #include "common/command_line/options.h"
 #include "points/point_file.h"
+#include "rivals/tile.h"
+#include "rivals/zsobol.h"
 
+#include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/long.h"
 
@@ -26,6 +29,14 @@ namespace {
 constexpr const char* kFilePrefix = "file:";
 
 bool startsWith(const std::string& name, const char* prefix) { return name.rfind(prefix, 0) == 0; }
+
+/// Where the contexts of a pixel begin, as the generator says; null is the tables.
+PixelPattern patternOf(const Generator* generator) {
+    if (!generator) return cameraPattern;
+    return [generator](int x, int y, uint32_t seed) {
+        return generator->CameraContext(x, y, seed, 0).patternid;
+    };
+}
 
 /// The points of a file, of one pattern or many. Domains take one coordinate after the other.
 class FileSource final : public PointSource {
@@ -65,7 +76,9 @@ struct SlotKind {
 
 const std::vector<SlotKind>& slotKinds() {
     static const LongProgressive longSamples;
-    static const std::vector<SlotKind> kinds{{"joint:", nullptr}, {"long:", &longSamples}};
+    static const BlueProgressive blue;
+    static const std::vector<SlotKind> kinds{
+        {"joint:", nullptr}, {"long:", &longSamples}, {"blue:", &blue}};
     return kinds;
 }
 
@@ -90,30 +103,59 @@ StudySourceKind jointKind(const std::string& option, const std::string& name,
             fmt::format("{}: '{}': {}; accepted are different slots from 0 to {}, as in {}3+7",
                         option, name, error.what(), kJointSlots - 1, kind.prefix));
     }
-    return {name, "", [slots, g = kind.generator] { return jointSource(slots, g); }};
+    return {name, "", [slots, g = kind.generator] { return jointSource(slots, g); },
+            patternOf(kind.generator)};
 }
 
-/// `more` is what is accepted beside generators.
-StudySourceKind findKind(const std::string& option, const std::string& name, const char* more) {
+/// The one of `kinds`, or joint:SLOT+SLOT and its kin; `more` is what is accepted beside them.
+StudySourceKind findKind(const std::string& option, const std::string& name,
+                         std::vector<StudySourceKind> kinds, const char* more) {
     for (const SlotKind& kind : slotKinds()) {
         if (startsWith(name, kind.prefix)) return jointKind(option, name, kind);
     }
     std::vector<std::string> names;
-    for (StudySourceKind& kind : studySourceKinds()) {
+    for (StudySourceKind& kind : kinds) {
         if (kind.name == name) return std::move(kind);
         names.push_back(kind.name);
     }
-    throw CliError(fmt::format("{}: no generator is called '{}'; there are {}{}", option, name,
-                               fmt::join(names, ", "), more));
+    throw CliError(
+        fmt::format("{}: no generator is called '{}'; there are {}, joint:SLOT+SLOT, "
+                    "long:SLOT+SLOT, blue:SLOT+SLOT{}",
+                    option, name, fmt::join(names, ", "), more));
 }
 
-PointSourcePtr makeSource(const std::string& name) {
+StudySource makeSource(const std::string& name) {
     if (startsWith(name, kFilePrefix)) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
-        return std::make_unique<FileSource>(readPatterns(options));
+        return {name, std::make_unique<FileSource>(readPatterns(options))};
     }
-    return findKind("--generators", name, ", joint:SLOT+SLOT, long:SLOT+SLOT, file:PATH").make();
+    return {name, findKind("--generators", name, studySourceKinds(), ", file:PATH").make()};
+}
+
+StudySource makePictureSource(const std::string& name) {
+    if (startsWith(name, kFilePrefix)) {
+        throw CliError(
+            fmt::format("--generators: '{}': the points of a file are for no pixels; "
+                        "leave it or --filter out",
+                        name));
+    }
+    std::vector<StudySourceKind> kinds = studySourceKinds();
+    for (StudySourceKind& kind : rivalSourceKinds()) kinds.push_back(std::move(kind));
+    const StudySourceKind kind = findKind("--generators", name, std::move(kinds), "");
+    return {name, kind.make(), kind.patternOf};
+}
+
+/// What make(name) gives for each name, repetitions dropped.
+template <typename Make>
+std::vector<StudySource> makeAll(const std::vector<std::string>& names, Make make) {
+    std::vector<StudySource> sources;
+    for (const std::string& name : names) {
+        const auto same = [&](const StudySource& source) { return source.name == name; };
+        if (std::any_of(sources.begin(), sources.end(), same)) continue;
+        sources.push_back(make(name));
+    }
+    return sources;
 }
 
 } // namespace
@@ -122,7 +164,8 @@ std::vector<StudySourceKind> studySourceKinds() {
     std::vector<StudySourceKind> kinds;
     for (const NamedGenerator& generator : namedGenerators()) {
         kinds.push_back({generator.name, generator.description,
-                         [g = generator.generator] { return generatorSource(g); }});
+                         [g = generator.generator] { return generatorSource(g); },
+                         patternOf(generator.generator)});
     }
     kinds.push_back({"joint", "the tables, domains stratified together: slots 0, 1, 2, ...",
                      [] { return jointSource(); }});
@@ -139,18 +182,23 @@ std::vector<StudySourceKind> studySourceKinds() {
     return kinds;
 }
 
+std::vector<StudySourceKind> rivalSourceKinds() {
+    return {{"zsobol", "one Sobol' sequence over all pixels, knows N (Ahmed and Wonka 2020)",
+             rivals::zsobolSource, rivals::zsobolPattern},
+            {"tile", "from a tile annealed at first use (Heitz et al. 2019)", rivals::tileSource,
+             rivals::tilePattern}};
+}
+
 StudySourceKind findStudySource(const std::string& option, const std::string& name) {
-    return findKind(option, name, ", joint:SLOT+SLOT, long:SLOT+SLOT");
+    return findKind(option, name, studySourceKinds(), "");
 }
 
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names) {
-    std::vector<StudySource> sources;
-    for (const std::string& name : names) {
-        const auto same = [&](const StudySource& source) { return source.name == name; };
-        if (std::any_of(sources.begin(), sources.end(), same)) continue;
-        sources.push_back({name, makeSource(name)});
-    }
-    return sources;
+    return makeAll(names, makeSource);
+}
+
+std::vector<StudySource> makePictureSources(const std::vector<std::string>& names) {
+    return makeAll(names, makePictureSource);
 }
 
 } // namespace wellstrat::cli

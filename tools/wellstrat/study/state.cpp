@@ -24,10 +24,12 @@ nlohmann::ordered_json planJson(const StudyPlan& plan) {
     json["generators"] = nlohmann::ordered_json::array();
     for (const StudySource& source : plan.sources) json["generators"].push_back(source.name);
     json["integrands"] = nlohmann::ordered_json::array();
-    for (const Integrand& integrand : plan.integrands) {
+    for (const IntegrandPicture& integrand : plan.integrands) {
         json["integrands"].push_back(integrand.name);
     }
     json["counts"] = plan.counts;
+    json["filter"] = nullptr;
+    if (plan.filter) json["filter"] = {plan.filter->sigma(), plan.integrands[0].size};
     return json;
 }
 
