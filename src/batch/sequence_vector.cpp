@@ -27,7 +27,7 @@ HWY_INLINE void drawInOrder(std::size_t n, const SampleCtx* contexts, Order orde
         V patternid, sampleid;
         load(some, patternid, sampleid);
         const V seed = sequenceSeed(patternid);
-        storeScrambled(order.point(seed, sampleid), seed, results);
+        storeScrambled(order.point(seed, sampleid), ScramblingKeys(seed), results);
     });
 }
 
