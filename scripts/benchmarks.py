@@ -125,7 +125,8 @@ def library_sizes():
     return sizes
 
 
-INSTRUCTION_PATHS = ("scalar", "scalar-3D", "path-of-8", "chain", "few-points", "joint", "batch")
+INSTRUCTION_PATHS = ("scalar", "scalar-3D", "path-of-8", "chain", "few-points", "joint", "long",
+                     "batch")
 
 
 def instructions_per_sample(program):

@@ -121,20 +121,6 @@ using stream1::toUnitFloat;
 
 } // namespace detail
 
-/// toUnitFloat of both halves of a word, the lower one first.
-WELLSTRAT_HOST_DEVICE inline Float2 toUnitFloats(uint64_t word) {
-#if WELLSTRAT_VECTOR_TYPES
-    const detail::Floats floats =
-        detail::toUnitFloats(reinterpret_cast<detail::Words>(detail::WordPairs{word}));
-    Float2 result;
-    __builtin_memcpy(&result, &floats, sizeof result);
-    return result;
-#else
-    return {toUnitFloat(static_cast<uint32_t>(word)),
-            toUnitFloat(static_cast<uint32_t>(word >> 32))};
-#endif
-}
-
 /// toUnitFloat of both halves of (a * b) ^ shift, a product of 64 bits, the lower half first.
 WELLSTRAT_HOST_DEVICE inline Float2 toUnitFloats(uint32_t a, uint32_t b, uint64_t shift) {
 #if WELLSTRAT_VECTOR_TYPES
@@ -144,7 +130,9 @@ WELLSTRAT_HOST_DEVICE inline Float2 toUnitFloats(uint32_t a, uint32_t b, uint64_
     __builtin_memcpy(&result, &floats, sizeof result);
     return result;
 #else
-    return toUnitFloats((uint64_t{a} * b) ^ shift);
+    const uint64_t word = (uint64_t{a} * b) ^ shift;
+    return {toUnitFloat(static_cast<uint32_t>(word)),
+            toUnitFloat(static_cast<uint32_t>(word >> 32))};
 #endif
 }
 

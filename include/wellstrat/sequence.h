@@ -61,20 +61,6 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseLowHalf(uint32_t x) {
     return reverseLowByte(x) | (reverseLowByte(x >> 8) >> 8);
 }
 
-/// The bits of `x` in opposite order.
-WELLSTRAT_HOST_DEVICE constexpr uint64_t reverseBits64(uint64_t x) {
-#if defined(__GNUC__) && !defined(__CUDA_ARCH__)
-    // Sums, since processors add a multiple in one instruction.
-    x = __builtin_bswap64(x);
-    x = ((x & 0x0f0f0f0f0f0f0f0fu) << 4) + ((x >> 4) & 0x0f0f0f0f0f0f0f0fu);
-    x = ((x & 0x3333333333333333u) << 2) + ((x >> 2) & 0x3333333333333333u);
-    return ((x & 0x5555555555555555u) << 1) + ((x >> 1) & 0x5555555555555555u);
-#else
-    return uint64_t{reverseBits(static_cast<uint32_t>(x))} << 32 |
-           reverseBits(static_cast<uint32_t>(x >> 32));
-#endif
-}
-
 } // namespace detail
 
 /// What is needed of a pattern. All keys are this word times an odd constant, which mixes it well:
@@ -116,15 +102,37 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t scrambledBits(uint32_t digits, uint32_t
     return reverseBits(owenHash(digits, scramblingKey(seed, coordinate)));
 }
 
+namespace detail {
+
+/// What each of the first three bytes of digits is worth as a part of a number in [0, 1).
+struct FloatsOfBytes {
+    float of[3][256];
+};
+
+extern WELLSTRAT_API const FloatsOfBytes kFloatsOfBytes;
+
+/// The first 24 digits, the first in bit 0, as a number: toUnitFloat(reverseBits(digits)). Its
+/// three parts have no digit in common, so that sums in any order are exact.
+WELLSTRAT_HOST_DEVICE inline float floatOfDigits(uint32_t digits) {
+#if defined(__CUDA_ARCH__)
+    return stream1::toUnitFloat(reverseBits(digits));
+#else
+    const FloatsOfBytes& floats = kFloatsOfBytes;
+    return floats.of[0][digits & 0xffu] +
+           (floats.of[1][digits >> 8 & 0xffu] + floats.of[2][digits >> 16 & 0xffu]);
+#endif
+}
+
+} // namespace detail
+
 /// z, (x, y) and (x, y, z) of a point, scrambled for a pattern with this seed, in [0, 1): those
 /// bits by toUnitFloat.
 WELLSTRAT_HOST_DEVICE inline float scrambledSampleZ(PointDigits point, uint32_t seed) {
-    return toUnitFloat(scrambledBits(point.z, seed, Coordinate::z));
+    return detail::floatOfDigits(owenHash(point.z, scramblingKey(seed, Coordinate::z)));
 }
 WELLSTRAT_HOST_DEVICE inline Float2 scrambledSampleXY(PointDigits point, uint32_t seed) {
-    const uint64_t x = owenHash(point.x, scramblingKey(seed, Coordinate::x));
-    const uint64_t y = owenHash(point.y, scramblingKey(seed, Coordinate::y));
-    return toUnitFloats(detail::reverseBits64(x << 32 | y));
+    return {detail::floatOfDigits(owenHash(point.x, scramblingKey(seed, Coordinate::x))),
+            detail::floatOfDigits(owenHash(point.y, scramblingKey(seed, Coordinate::y)))};
 }
 WELLSTRAT_HOST_DEVICE inline Float3 scrambledSampleXYZ(PointDigits point, uint32_t seed) {
     const Float2 xy = scrambledSampleXY(point, seed);

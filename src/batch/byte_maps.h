@@ -28,13 +28,17 @@ constexpr ByteMap byteMapOf(Map map) {
     return result;
 }
 
-alignas(16) inline constexpr ByteMap kReversed = byteMapOf(reverseByte);
-alignas(16) inline constexpr ByteMap kPascal = byteMapOf(pascalTimes);
-alignas(16) inline constexpr ByteMap kTrinomial = byteMapOf(trinomialTimes);
-/// Pascal's triangle times the byte in opposite order.
-alignas(16) inline constexpr ByteMap kPascalOfReversed = byteMapOf([](uint32_t byte) {
-    return pascalTimes(reverseByte(byte));
-});
+/// All that are needed, side by side, so that they take few lines of a cache.
+struct ByteMaps {
+    ByteMap reversed = byteMapOf(reverseByte);
+    /// Pascal's triangle times the byte in opposite order.
+    ByteMap pascalOfReversed =
+        byteMapOf([](uint32_t byte) { return pascalTimes(reverseByte(byte)); });
+    ByteMap pascal = byteMapOf(pascalTimes);
+    ByteMap trinomial = byteMapOf(trinomialTimes);
+};
+
+alignas(64) inline constexpr ByteMaps kByteMaps;
 
 } // namespace batch
 } // namespace stream1

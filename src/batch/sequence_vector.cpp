@@ -21,8 +21,9 @@ namespace batch {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// Each order has code of its own, so that a batch fetches no more of it than it runs.
 template <typename Order, typename Sample>
-HWY_INLINE void drawInOrder(std::size_t n, const SampleCtx* contexts, Order order, Sample* xis) {
+HWY_NOINLINE void drawInOrder(std::size_t n, const SampleCtx* contexts, Order order, Sample* xis) {
     forVectors(n, contexts, xis, [&order](const SampleCtx* some, Sample* results) {
         V patternid, sampleid;
         load(some, patternid, sampleid);

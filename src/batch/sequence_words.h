@@ -54,7 +54,9 @@ HWY_INLINE V mapped(const ByteMap& map, Nibbles nibbles) {
     return hn::BitCast(kWords, hn::Xor(low, high));
 }
 
-HWY_INLINE V reverseBits(V x) { return mapped(kReversed, nibblesOf(bytesOf<3, 2, 1, 0>(x))); }
+HWY_INLINE V reverseBits(V x) {
+    return mapped(kByteMaps.reversed, nibblesOf(bytesOf<3, 2, 1, 0>(x)));
+}
 
 /// x ^ ((x >> kShift) & mask)
 template <int kShift>
@@ -65,12 +67,14 @@ HWY_INLINE V xorMasked(V x, uint32_t mask) {
 /// pascalTimes of words whose bytes have been mapped.
 HWY_INLINE V pascalOfBytes(V bytes) { return xorShifted<16>(xorMasked<8>(bytes, 0x00ff00ffu)); }
 
-HWY_INLINE V pascalTimes(V index) { return pascalOfBytes(mapped(kPascal, nibblesOf(index))); }
+HWY_INLINE V pascalTimes(V index) {
+    return pascalOfBytes(mapped(kByteMaps.pascal, nibblesOf(index)));
+}
 
 HWY_INLINE V trinomialTimes(V index) {
     index = xorMasked<16>(xorMasked<8>(index, 0x00ffff00u), 0x000000ffu);
     index = xorMasked<8>(xorMasked<4>(index, 0x0ff00ff0u), 0x000f000fu);
-    return mapped(kTrinomial, nibblesOf(index));
+    return mapped(kByteMaps.trinomial, nibblesOf(index));
 }
 
 /// What owenHash makes of a key.
@@ -114,11 +118,11 @@ HWY_INLINE PointVectors sequenceDigitsOfReversed(V hashed) {
     static_assert(kDigits == 16 || kDigits == 32);
     const Nibbles nibbles = nibblesOf(kDigits == 16 ? bytesOf<3, 2, kNone, kNone>(hashed)
                                                     : bytesOf<3, 2, 1, 0>(hashed));
-    const V index = mapped(kReversed, nibbles);
-    const V pascal = mapped(kPascalOfReversed, nibbles);
+    const V index = mapped(kByteMaps.reversed, nibbles);
+    const V pascal = mapped(kByteMaps.pascalOfReversed, nibbles);
     if (kDigits == 32) return {index, pascalOfBytes(pascal), trinomialTimes(index)};
     const V upper = xorMasked<8>(xorMasked<4>(index, 0x0ff0u), 0x000fu);
-    return {index, xorShifted<8>(pascal), mapped(kTrinomial, nibblesOf(upper))};
+    return {index, xorShifted<8>(pascal), mapped(kByteMaps.trinomial, nibblesOf(upper))};
 }
 
 /// The keys of scrambledSample for a vector of seeds.
@@ -133,7 +137,7 @@ struct ScramblingKeys {
 HWY_INLINE F scrambledSample(V digits, const OwenKey& key) {
     // The upper 24 of the 32 bits in opposite order.
     return scaledFloat(
-        mapped(kReversed, nibblesOf(bytesOf<2, 1, 0, kNone>(owenHash(digits, key)))));
+        mapped(kByteMaps.reversed, nibblesOf(bytesOf<2, 1, 0, kNone>(owenHash(digits, key)))));
 }
 
 /// scrambledSampleZ, XY and XYZ of a vector of points, into xis[0, kLanes).

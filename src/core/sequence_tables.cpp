@@ -29,6 +29,16 @@ constexpr DigitsOfBytes makeDigitsOfBytes() {
     return digits;
 }
 
+constexpr FloatsOfBytes makeFloatsOfBytes() {
+    FloatsOfBytes floats{};
+    for (unsigned place = 0; place < 3; ++place) {
+        for (uint32_t byte = 0; byte < 256; ++byte) {
+            floats.of[place][byte] = stream1::toUnitFloat(reverseBits(byte) >> 8 * place);
+        }
+    }
+    return floats;
+}
+
 constexpr SlotOrders makeSlotOrders() {
     SlotOrders orders{};
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
@@ -44,6 +54,7 @@ constexpr SlotOrders makeSlotOrders() {
 } // namespace
 
 constexpr DigitsOfBytes kDigitsOfBytes = makeDigitsOfBytes();
+constexpr FloatsOfBytes kFloatsOfBytes = makeFloatsOfBytes();
 constexpr SlotOrders kSlotOrders = makeSlotOrders();
 
 } // namespace detail

@@ -108,8 +108,7 @@ TEST(SequenceError, IsThatOfExactScrambling) {
             weights += 1 / variance;
         }
     }
-    // All together: 0.2 % off has been seen to be noise, more than the 2 % that are promised is
-    // not.
+    // All together, within the 2 % that are promised.
     RecordProperty("ratio", std::to_string(std::exp(weighted / weights)));
     EXPECT_NEAR(std::exp(weighted / weights), 1, 0.02);
 }

@@ -198,7 +198,7 @@ TEST_P(SequenceFlips, OfNeighboringPatternsAreIndependent) {
         both.add(1, [&](std::size_t s) {
             return Flips::flip(nodes_[a], seeds[(s + 1) % seeds.size()]);
         });
-        scores.add(both.score(0, 1));
+        scores.add(both.score(std::size_t{0}, std::size_t{1}));
     }
     expectStandardNormal(scores);
 }
