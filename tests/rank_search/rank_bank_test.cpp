@@ -58,7 +58,7 @@ TEST(RankBankSearch, PricesAreWhatTheDefinitionSays) {
     const double one = merit(weights, covarianceOf(sumsOfOne(), visits[1], visits[1]));
     const double w0 = slotWeight(0), w2 = slotWeight(2);
     const double pairs = (w0 * pair(0, 1) * pair(0, 1) + w2 * pair(2, 1) * pair(2, 1)) / (w0 + w2);
-    EXPECT_NEAR(slotPrice(bank, 1, weights), 2 * one + pairs, 1e-9);
+    EXPECT_NEAR(slotPrice(bank, 1, weights), 3 * one + pairs, 1e-9);
 }
 
 TEST(RankBankSearch, CovarianceOfSlotsIsTheWeightedSum) {
@@ -70,7 +70,7 @@ TEST(RankBankSearch, CovarianceOfSlotsIsTheWeightedSum) {
     const double wa = slotWeight(0), wb = slotWeight(1);
     EXPECT_GT(wa, wb);
     for (const std::size_t rho : {0u, 1u, 77u, 4095u}) {
-        EXPECT_NEAR(all[rho], 2 * (wa * one[rho] + wb * other[rho]) / (wa + wb) + pair[rho], 1e-9);
+        EXPECT_NEAR(all[rho], 3 * (wa * one[rho] + wb * other[rho]) / (wa + wb) + pair[rho], 1e-9);
     }
 }
 

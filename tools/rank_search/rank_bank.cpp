@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rank_search/rank_bank.h"
 
+#include "bank_search/slot_order.h"
 #include "bank_search/walsh.h"
 
 #include <tbb/parallel_for.h>
@@ -13,7 +14,7 @@ namespace wellstrat::ranks {
 namespace {
 
 /// What functions of one slot count, where those of two count 1.
-constexpr double kShareOfOne = 2;
+constexpr double kShareOfOne = 3;
 
 double squareOf(double x) { return x * x; }
 

@@ -2,7 +2,7 @@
 //
 // The ranks of slots: matrices V_d, without which two slots of a pixel would be in lockstep.
 //
-// A beam search, column after column, as in bank_search/insertion.h. All candidates for column k
+// A beam search, column after column. All candidates for column k
 // are judged at once, since what a candidate c adds to the merit is a convolution: the sum over n <
 // kRun and t < 2^k of F(U n, (V t) XOR c) times what the other slots have at n and t + 2^k.
 
