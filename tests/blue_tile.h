@@ -39,23 +39,20 @@ public:
 
     bool isPadded() const { return order_.slot == kJointSlots; }
     uint32_t state() const { return contexts_[0].patternid >> 12; }
-    const std::vector<SampleCtx>& contexts() const { return contexts_; }
 
-    /// Samples first to first + count - 1 of all pixels of the block of 2^a x 2^a pixels from
-    /// (x 2^a, y 2^a) of the tile's own coordinates on, sample by sample.
+    /// By scalar draws, samples first to first + count - 1 of all pixels of the block of 2^a x 2^a
+    /// pixels from (x 2^a, y 2^a) of the tile's own coordinates on, sample by sample.
     std::vector<Float3> draw(unsigned a, unsigned x, unsigned y, uint32_t first,
                              uint32_t count) const {
-        std::vector<SampleCtx> contexts;
+        std::vector<Float3> xis;
         for (uint32_t s = first; s != first + count; ++s) {
             for (unsigned row = y << a; row < (y + 1) << a; ++row) {
                 for (unsigned column = x << a; column < (x + 1) << a; ++column) {
-                    contexts.push_back({contexts_[pixelAt_[row << 6 | column]].patternid, s});
+                    const unsigned pattern = contexts_[pixelAt_[row << 6 | column]].patternid;
+                    xis.push_back(blue_.OrderedSample3D({pattern, s}, 0, order_));
                 }
             }
         }
-        std::vector<Float3> xis(contexts.size());
-        blue_.MultiOrderedSample3D(static_cast<unsigned>(contexts.size()), contexts[0], order_,
-                                   xis.data());
         return xis;
     }
 

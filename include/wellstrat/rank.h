@@ -18,8 +18,7 @@
 // digits of x and q2 of y vanish, q1 + q2 = k + 2a, then z^q1 (1 + z)^q2 divides N, so N is 0: the
 // points are a (0, k + 2a, 2)-net. Other runs and blocks add a constant, which keeps nets. The
 // places of a rational function field make nets since Niederreiter and Xing 1996, "Low-Discrepancy
-// Sequences and Global Function Fields with Many Rational Places". Dz, found by a search, does it
-// for z alone.
+// Sequences and Global Function Fields with Many Rational Places". Dz does it for z alone.
 
 #pragma once
 
@@ -44,9 +43,10 @@ struct RankMatrix {
 
 namespace detail {
 
-inline constexpr RankMatrix kRankZ = {{0x7bb6aaed, 0xad6b7d56, 0x3352389f, 0x591af111, 0x4dbc11e0,
-                                       0x92f2883d, 0xe40df380, 0x7d51df46, 0x43338515, 0x0ab3a471,
-                                       0x77bf2c62, 0x6bd5b88f}};
+/// Dz, as `wellstrat ranks --z` prints it.
+inline constexpr RankMatrix kRankZ = {{0xb6bfeddf, 0x6deabb6a, 0x22d9111b, 0x3e488e27, 0xbc20ebd1,
+                                       0x183839e6, 0x149ba4a6, 0xe2b2ab70, 0x33c0b040, 0xbe7f12a7,
+                                       0xc46e7929, 0x17d34465}};
 
 /// The power series `series` / (1 + z + z^2), bit b being the coefficient of z^b.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t dividedByPole(uint32_t series) {

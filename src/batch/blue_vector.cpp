@@ -52,8 +52,11 @@ HWY_INLINE V distribState(V sampleid) {
 
 HWY_INLINE V stateSeed(V patternid) { return sequenceSeed(hn::ShiftRight<kRankDigits>(patternid)); }
 
-HWY_INLINE V rankSeries(V numerator) {
-    return hn::Xor(numerator, hn::Xor(hn::ShiftLeft<8>(numerator), hn::ShiftLeft<24>(numerator)));
+/// rankSeries of the halves of rank words, byte by byte: of the lower ones for kLow = 0, kHigh = 1.
+template <uint8_t kLow, uint8_t kHigh>
+HWY_INLINE V rankSeries(V ranks) {
+    return hn::Xor(bytesOf<kLow, kHigh, kNone, kNone>(ranks),
+                   bytesOf<kNone, kLow, kHigh, kLow>(ranks));
 }
 
 /// All bits of a word as its bit kBit.
@@ -167,8 +170,8 @@ private:
 
 /// movedDigits, for `ranksZ` that are looked up already.
 HWY_INLINE PointVectors movedDigits(const PointVectors& point, V ranks, V ranksZ, V seed) {
-    const V x = hn::Xor(point.x, rankSeries(hn::And(ranks, constant(0xffff))));
-    const V y = hn::Xor(point.y, rankSeries(hn::ShiftRight<16>(ranks)));
+    const V x = hn::Xor(point.x, rankSeries<0, 1>(ranks));
+    const V y = hn::Xor(point.y, rankSeries<2, 3>(ranks));
     const V exchanged = hn::And(hn::Xor(x, y), spreadBit<31>(seed));
     return {hn::Xor(x, exchanged), hn::Xor(y, exchanged), hn::Xor(point.z, ranksZ)};
 }
@@ -192,12 +195,18 @@ HWY_INLINE void drawBlock(std::size_t vectors, const SampleCtx* contexts, Domain
     }
     domain.rank(n, ranks);
     if constexpr (hasZ) rankDigitsZ(n, ranks, ranksZ);
+    V keysSeed = hn::Load(kWords, seeds);
+    ScramblingKeys keys(keysSeed);
     for (std::size_t i = 0; i < n; i += kLanes) {
         load(contexts + i, patternid, sampleid);
         const V seed = hn::Load(kWords, seeds + i);
         const PointVectors& point = domain.point(seed, sampleid);
         const V z = hasZ ? hn::Load(kWords, ranksZ + i) : hn::Zero(kWords);
-        storeScrambled(movedDigits(point, hn::Load(kWords, ranks + i), z, seed), seed, xis + i);
+        if (!same(seed, keysSeed)) {
+            keysSeed = seed;
+            keys = ScramblingKeys(seed);
+        }
+        storeScrambled(movedDigits(point, hn::Load(kWords, ranks + i), z, seed), keys, xis + i);
     }
 }
 

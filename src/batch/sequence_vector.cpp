@@ -28,7 +28,7 @@ HWY_NOINLINE void drawInOrder(std::size_t n, const SampleCtx* contexts, Order or
         V patternid, sampleid;
         load(some, patternid, sampleid);
         const V seed = sequenceSeed(patternid);
-        storeScrambled(order.point(seed, sampleid), seed, results);
+        storeScrambled(order.point(seed, sampleid), ScramblingKeys(seed), results);
     });
 }
 

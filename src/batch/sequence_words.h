@@ -77,11 +77,20 @@ HWY_INLINE V trinomialTimes(V index) {
     return mapped(kByteMaps.trinomial, nibblesOf(index));
 }
 
-HWY_INLINE V owenHash(V digits, V key) {
-    digits = hn::Add(digits, bytesOf<2, 3, 0, 1>(key));
-    digits = hn::Mul(digits, hn::Or(hn::ShiftRight<7>(key), constant(1)));
+/// What owenHash makes of a key.
+struct OwenKey {
+    V added, factor;
+
+    HWY_INLINE explicit OwenKey(V key)
+        : added(bytesOf<2, 3, 0, 1>(key)), factor(hn::Or(hn::ShiftRight<7>(key), constant(1))) {}
+};
+
+HWY_INLINE V owenHash(V digits, const OwenKey& key) {
+    digits = hn::Mul(hn::Add(digits, key.added), key.factor);
     return hn::Xor(digits, hn::Mul(digits, hn::Add(digits, digits)));
 }
+
+HWY_INLINE V owenHash(V digits, V key) { return owenHash(digits, OwenKey(key)); }
 
 HWY_INLINE V sequenceSeed(V patternid) {
     const V x = hn::Xor(patternid, constant(detail::kSequenceKey));
@@ -116,26 +125,32 @@ HWY_INLINE PointVectors sequenceDigitsOfReversed(V hashed) {
     return {index, xorShifted<8>(pascal), mapped(kByteMaps.trinomial, nibblesOf(upper))};
 }
 
-HWY_INLINE F scrambledSample(V digits, V seed, Coordinate coordinate) {
-    const V hashed = owenHash(digits, scramblingKey(seed, coordinate));
+/// The keys of scrambledSample for a vector of seeds.
+struct ScramblingKeys {
+    OwenKey x, y, z;
+
+    HWY_INLINE explicit ScramblingKeys(V seed)
+        : x(scramblingKey(seed, Coordinate::x)), y(scramblingKey(seed, Coordinate::y)),
+          z(scramblingKey(seed, Coordinate::z)) {}
+};
+
+HWY_INLINE F scrambledSample(V digits, const OwenKey& key) {
     // The upper 24 of the 32 bits in opposite order.
-    return scaledFloat(mapped(kByteMaps.reversed, nibblesOf(bytesOf<2, 1, 0, kNone>(hashed))));
+    return scaledFloat(
+        mapped(kByteMaps.reversed, nibblesOf(bytesOf<2, 1, 0, kNone>(owenHash(digits, key)))));
 }
 
 /// scrambledSampleZ, XY and XYZ of a vector of points, into xis[0, kLanes).
-HWY_INLINE void storeScrambled(PointVectors point, V seed, float* xis) {
-    hn::StoreU(scrambledSample(point.z, seed, Coordinate::z), kFloats, xis);
+HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys, float* xis) {
+    hn::StoreU(scrambledSample(point.z, keys.z), kFloats, xis);
 }
-HWY_INLINE void storeScrambled(PointVectors point, V seed, Float2* xis) {
-    hn::StoreInterleaved2(scrambledSample(point.x, seed, Coordinate::x),
-                          scrambledSample(point.y, seed, Coordinate::y), kFloats,
-                          reinterpret_cast<float*>(xis));
+HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys, Float2* xis) {
+    hn::StoreInterleaved2(scrambledSample(point.x, keys.x), scrambledSample(point.y, keys.y),
+                          kFloats, reinterpret_cast<float*>(xis));
 }
-HWY_INLINE void storeScrambled(PointVectors point, V seed, Float3* xis) {
-    hn::StoreInterleaved3(scrambledSample(point.x, seed, Coordinate::x),
-                          scrambledSample(point.y, seed, Coordinate::y),
-                          scrambledSample(point.z, seed, Coordinate::z), kFloats,
-                          reinterpret_cast<float*>(xis));
+HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys, Float3* xis) {
+    hn::StoreInterleaved3(scrambledSample(point.x, keys.x), scrambledSample(point.y, keys.y),
+                          scrambledSample(point.z, keys.z), kFloats, reinterpret_cast<float*>(xis));
 }
 
 } // namespace HWY_NAMESPACE

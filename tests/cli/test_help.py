@@ -25,7 +25,7 @@ OPTIONS = {
     "report": ("-o", "--generators", "--integrands", "--patterns", "--count", "--quick",
                "--thorough", "--bench", "--keep-plot-files"),
     "bank": ("--seed", "--rounds", "--slots", "--judge", "--integrands", "-o"),
-    "ranks": ("--seed", "--sweeps", "--rounds", "--slots", "--judge", "-o"),
+    "ranks": ("--seed", "--sweeps", "--rounds", "--slots", "--z", "--judge", "-o"),
     "render": ("-o", "--spp", "--generator", "--size", "--depth", "--split", "--distrib",
                "--time-limit", "--threads", "--seed", "--samples", "--checkpoint", "--save-every",
                "--resume", "--noise", "--environment", "--camera", "--look-at", "--up", "--fov",

@@ -9,6 +9,7 @@ import unittest
 from support import CliTest
 
 HEADER = pathlib.Path(__file__).parents[2] / "include" / "wellstrat" / "blue_tables.h"
+RANK = HEADER.with_name("rank.h")
 SLOT = re.compile(r"(?m)^ +\{0x[^}]*\},\n")
 SHORT = ("ranks", "--sweeps", "1", "--rounds", "0", "--slots", "2")
 
@@ -39,6 +40,12 @@ class RanksTest(CliTest):
     def test_whole_header(self):
         self.assertEqual(self.output_of("ranks").decode(), HEADER.read_text())
 
+    def test_z_is_that_of_the_library(self):
+        columns = re.findall(r"0x[0-9a-f]{8}", self.output_of("ranks", "--z").decode())
+        self.assertEqual(len(columns), 12)
+        matrix = re.search(r"kRankZ = \{\{([^}]*)\}\}", RANK.read_text()).group(1)
+        self.assertEqual(re.findall(r"0x[0-9a-f]+", matrix), columns)
+
     def test_judge(self):
         lines = self.output_of("ranks", "--judge", "--slots", "2").decode().splitlines()
         self.assertEqual(lines[0].split(), ["1", "2", "4", "8", "16", "32", "64"])
@@ -53,6 +60,7 @@ class RanksTest(CliTest):
         self.assert_fails("ranks", "--slots", "1", mentions="2")
         self.assert_fails("ranks", "--slots", "17", mentions="16")
         self.assert_fails("ranks", "--judge", "--sweeps", "3", mentions="--sweeps")
+        self.assert_fails("ranks", "--z", "--rounds", "1", mentions="--rounds")
         self.assert_fails("ranks", "--sweeps", "many", mentions="many")
         self.assert_fails("ranks", "-o", "no/such/folder", mentions="folder")
 

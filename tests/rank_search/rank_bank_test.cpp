@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace rank_tests {
 namespace {
 
@@ -55,10 +57,20 @@ TEST(RankBankSearch, PricesAreWhatTheDefinitionSays) {
     const auto pair = [&](unsigned a, unsigned b) {
         return merit(weights, covarianceOf(sumsOfPairs(), visits[a], visits[b]));
     };
-    const double one = merit(weights, covarianceOf(sumsOfOne(), visits[1], visits[1]));
     const double w0 = slotWeight(0), w2 = slotWeight(2);
     const double pairs = (w0 * pair(0, 1) * pair(0, 1) + w2 * pair(2, 1) * pair(2, 1)) / (w0 + w2);
-    EXPECT_NEAR(slotPrice(bank, 1, weights), 2 * one + pairs, 1e-9);
+    EXPECT_NEAR(slotPrice(bank, 1, weights), pairs, 1e-9);
+}
+
+TEST(RankBankSearch, ForRandomTilesColumnsAreAlikeToFunctionsOfOneSlot) {
+    const RankBank bank = randomBank(3, 4);
+    const Weights weights = weightsOfRandomTiles();
+    const auto meritOfSlot = [&](unsigned slot) {
+        const Visits visits = visitsOf(slot, bank[slot]);
+        return merit(weights, covarianceOf(sumsOfOne(), visits, visits));
+    };
+    EXPECT_NEAR(meritOfSlot(1), meritOfSlot(0), 1e-9);
+    EXPECT_NEAR(meritOfSlot(2), meritOfSlot(0), 1e-9);
 }
 
 TEST(RankBankSearch, CovarianceOfSlotsIsTheWeightedSum) {
@@ -67,10 +79,10 @@ TEST(RankBankSearch, CovarianceOfSlotsIsTheWeightedSum) {
     const Covariance all = covarianceOfSlots(bank);
     const Covariance one = covarianceOf(sumsOfOne(), a, a), other = covarianceOf(sumsOfOne(), b, b);
     const Covariance pair = covarianceOf(sumsOfPairs(), a, b);
-    const double wa = slotWeight(0), wb = slotWeight(1);
+    const double wa = std::pow(slotWeight(0), 2), wb = std::pow(slotWeight(1), 2);
     EXPECT_GT(wa, wb);
     for (const std::size_t rho : {0u, 1u, 77u, 4095u}) {
-        EXPECT_NEAR(all[rho], 2 * (wa * one[rho] + wb * other[rho]) / (wa + wb) + pair[rho], 1e-9);
+        EXPECT_NEAR(all[rho], 4 * (wa * one[rho] + wb * other[rho]) / (wa + wb) + pair[rho], 1e-9);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "renderer/builtin_scenes.h"
 #include "renderer/film_error.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/random_generator.h"
 
@@ -100,6 +101,11 @@ TEST(Integrator, AllGeneratorsHaveOneMean) {
         options.generator = &joint;
         options.seed = 1;
         expectSameMean(renderFilm(scene, kSide, 64, options), independent);
+        const BlueProgressive blue;
+        options.generator =
+            &blue; // pixels are not independent, which makes the check a little milder
+        expectSameMean(renderFilm(scene, kSide, 64, options), independent);
+        options.generator = &joint;
         options.split = 3; // slots under splits have an order of their own
         options.seed = 2;
         expectSameMean(renderFilm(scene, kSide, 64, options), independent);
@@ -150,6 +156,34 @@ TEST(Integrator, SlotsHaveLessErrorThanTables) {
 }
 
 /// Guards against scenes of odd numbers giving NaN: every sample of every pixel is a number.
+/// Guards against losing what pixels know of each other: by contexts that are not the generator's,
+/// or derived without it.
+TEST(Integrator, BlueErrorsCancelBetweenNeighbors) {
+    const BlueProgressive blue;
+    const Scene scene = builtinScene("spherelight");
+    SamplingOptions options = optionsOfDepth(0);
+    const Film reference = renderFilm(scene, kSide, 1024, options);
+    constexpr unsigned kBlock = 8;
+    const auto blockError = [&](const Generator* generator) {
+        double squares = 0;
+        options.generator = generator;
+        for (options.seed = 1; options.seed < 9; ++options.seed) {
+            const Film film = renderFilm(scene, kSide, 1, options);
+            double sums[kSide / kBlock][kSide / kBlock] = {};
+            for (unsigned y = 0; y < kSide; ++y) {
+                for (unsigned x = 0; x < kSide; ++x) {
+                    sums[y / kBlock][x / kBlock] += film.mean(x, y).y - reference.mean(x, y).y;
+                }
+            }
+            for (const auto& row : sums) {
+                for (const double sum : row) squares += sum * sum;
+            }
+        }
+        return std::sqrt(squares);
+    };
+    EXPECT_LT(blockError(&blue), 0.8 * blockError(nullptr));
+}
+
 TEST(Integrator, BadNumbersStayOutOfThePicture) {
     const float nan = std::nanf("");
     Scene scene = everything();

@@ -29,7 +29,7 @@ constexpr auto kHit = static_cast<Scramble>(0x03707344u);
 constexpr auto kLight = static_cast<Scramble>(0xa4093822u);
 constexpr auto kBxdf = static_cast<Scramble>(0x082efa98u);
 
-const BlueProgressive blue;
+const BlueProgressive kBlue;
 
 /// Pixel (x, y) of each of n tiles of a picture.
 std::vector<SampleCtx> pixelOfTiles(unsigned n, int x, int y, unsigned seed, unsigned sampleid) {
@@ -66,7 +66,7 @@ TEST(BlueSamples, AreUniformOverTiles) {
     for (const unsigned slot : {0u, 1u, 9u, kJointSlots}) {
         for (const unsigned sampleid : {0u, 5u, 4100u}) {
             std::vector<SampleCtx> contexts = pixelOfTiles(kTiles, 3, 60, slot, sampleid);
-            RixRNG(RixRNG(contexts, kTiles, &blue), jointScramble(slot), children)
+            RixRNG(RixRNG(contexts, kTiles, &kBlue), jointScramble(slot), children)
                 .DrawSamples3D(xis);
             std::vector<uint32_t> xy(256), xz(256), yz(256);
             for (const Float3& xi : xis) {
@@ -100,7 +100,7 @@ std::vector<double> blockErrors(unsigned seed, unsigned first, unsigned count, D
     for (unsigned s = first; s < first + count; ++s) {
         for (int pixel = 0; pixel < 64; ++pixel) {
             std::vector<SampleCtx> camera = pixelOfTiles(kTiles, pixel % 8, pixel / 8, seed, s);
-            derive(RixRNG(camera, kTiles, &blue), children).DrawSamples2D(xis);
+            derive(RixRNG(camera, kTiles, &kBlue), children).DrawSamples2D(xis);
             for (unsigned i = 0; i < kTiles; ++i) errors[i] += (inDisk(xis[i]) ? 0.5 : -0.5) / 64;
         }
     }
@@ -168,7 +168,7 @@ std::vector<double> productErrors(Scramble a, Scramble b, unsigned count) {
     for (unsigned s = 0; s < count; ++s) {
         for (int pixel = 0; pixel < 64; ++pixel) {
             std::vector<SampleCtx> camera = pixelOfTiles(kTiles, pixel % 8, pixel / 8, 4, s);
-            const RixRNG rng(camera, kTiles, &blue);
+            const RixRNG rng(camera, kTiles, &kBlue);
             RixRNG(rng, a, ofA).DrawSamples2D(xiA);
             RixRNG(rng, b, ofB).DrawSamples2D(xiB);
             for (unsigned i = 0; i < kTiles; ++i) {
@@ -281,7 +281,7 @@ TEST(EveryGenerator, DrawsFromEveryKindOfContext) {
                                                                    {"random", &random},
                                                                    {"joint", &joint},
                                                                    {"long", &longer},
-                                                                   {"blue", &blue}};
+                                                                   {"blue", &kBlue}};
     for (const auto& [name, generator] : generators) {
         for (const Kind kind : {Kind{"camera", false, false}, Kind{"camera, by hand", false, true},
                                 Kind{"blue", true, false}, Kind{"blue, by hand", true, true}}) {

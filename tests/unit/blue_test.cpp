@@ -7,6 +7,7 @@
 #include "wellstrat/blue.h"
 #include "wellstrat/blue_lookup.h"
 #include "wellstrat/camera.h"
+#include "wellstrat/random_generator.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,6 @@ namespace wellstrat::test {
 namespace {
 
 constexpr auto kScramble = static_cast<Scramble>(0x2d96c92bu);
-constexpr auto kOther = static_cast<Scramble>(0x3917fe2eu);
 constexpr uint32_t kPlace = kRanks - 1;
 
 void expectEqual(SampleCtx a, SampleCtx b) {
@@ -183,6 +183,17 @@ TEST_F(BlueTest, ARixRNGDerivesAllKindsOfDomains) {
     RixRNG(camera, kScramble, indices, 2, children);
     expectEqual(children[0], newBlueDomainSplit(contexts[9], kScramble, 1));
     expectEqual(children[1], newBlueDomainSplit(contexts[2], kScramble, 1));
+}
+
+TEST_F(BlueTest, CameraContextIsBlue) {
+    const RandomGenerator random;
+    for (int i = -3; i < 3; ++i) {
+        expectEqual(blue.CameraContext(70 * i, 5, 6, 7), blueContext(70 * i, 5, 6, 7));
+        expectEqual(random.CameraContext(70 * i, 5, 6, 7), cameraContext(70 * i, 5, 0, 7, 6));
+        const unsigned pattern = 0x12345678u + static_cast<unsigned>(i);
+        EXPECT_EQ(blue.ParentPattern(deriveBluePattern(pattern, kScramble), kScramble), pattern);
+        EXPECT_EQ(random.ParentPattern(derivePattern(pattern, kScramble), kScramble), pattern);
+    }
 }
 
 TEST_F(BlueTest, SplitsMultiplySampleidsModulo32Bits) {

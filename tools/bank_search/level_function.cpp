@@ -50,49 +50,39 @@ LevelFunction meanOverVisit(const LevelFunction& function, unsigned split, doubl
 }
 
 LevelFunction plainFunction(const Spectrum2D& spectrum) {
-    const ProductsByDigits2D products = productsByDigits(spectrum);
+    double byDigits[kDigits + 1][kDigits + 1] = {};
+    for (unsigned a = 0; a <= kDigits; ++a) {
+        for (unsigned b = 0; b <= kDigits; ++b) {
+            for (unsigned k = 0; k <= kDigits; ++k) {
+                for (unsigned l = 0; l <= kDigits; ++l) {
+                    byDigits[a][b] += spectrum(k, l) * levelProduct(k, a) * levelProduct(l, b);
+                }
+            }
+        }
+    }
     LevelFunction function(kPoints);
     for (unsigned n = 0; n < kPoints; ++n) {
-        function[n] = static_cast<float>(products.of[sharedDigitsX(n)][sharedDigitsY(n)]);
+        function[n] = static_cast<float>(byDigits[sharedDigitsX(n)][sharedDigitsY(n)]);
     }
     return function;
 }
 
 /// Of one coordinate, which is x or z.
 LevelFunction plainFunction(const Spectrum1D& spectrum, unsigned (*sharedDigits)(unsigned)) {
-    const ProductsByDigits1D products = productsByDigits(spectrum);
+    std::array<double, kDigits + 1> byDigits{};
+    for (unsigned digits = 0; digits <= kDigits; ++digits) {
+        for (unsigned k = 0; k <= kDigits; ++k) {
+            byDigits[digits] += spectrum(k) * levelProduct(k, digits);
+        }
+    }
     LevelFunction function(kPoints);
     for (unsigned n = 0; n < kPoints; ++n) {
-        function[n] = static_cast<float>(products.of[sharedDigits(n)]);
+        function[n] = static_cast<float>(byDigits[sharedDigits(n)]);
     }
     return function;
 }
 
 } // namespace
-
-ProductsByDigits1D productsByDigits(const Spectrum1D& spectrum) {
-    ProductsByDigits1D products{};
-    for (unsigned digits = 0; digits <= kDigits; ++digits) {
-        for (unsigned k = 0; k <= kDigits; ++k) {
-            products.of[digits] += spectrum(k) * levelProduct(k, digits);
-        }
-    }
-    return products;
-}
-
-ProductsByDigits2D productsByDigits(const Spectrum2D& spectrum) {
-    ProductsByDigits2D products{};
-    for (unsigned a = 0; a <= kDigits; ++a) {
-        for (unsigned b = 0; b <= kDigits; ++b) {
-            for (unsigned k = 0; k <= kDigits; ++k) {
-                for (unsigned l = 0; l <= kDigits; ++l) {
-                    products.of[a][b] += spectrum(k, l) * levelProduct(k, a) * levelProduct(l, b);
-                }
-            }
-        }
-    }
-    return products;
-}
 
 unsigned sharedDigitsX(unsigned n) { return sharedDigits(0, n); }
 unsigned sharedDigitsY(unsigned n) { return sharedDigits(1, n); }

@@ -29,17 +29,6 @@ using Spectrum1D = std::function<double(unsigned k)>;
 /// The same of levels k, l of a function of two coordinates.
 using Spectrum2D = std::function<double(unsigned k, unsigned l)>;
 
-/// The expectation of the product of the function at two points, by the digits that these share.
-struct ProductsByDigits1D {
-    double of[kDigits + 1];
-};
-struct ProductsByDigits2D {
-    double of[kDigits + 1][kDigits + 1];
-};
-
-ProductsByDigits1D productsByDigits(const Spectrum1D& spectrum);
-ProductsByDigits2D productsByDigits(const Spectrum2D& spectrum);
-
 /// Half of all patterns have the other order P U: these are means over the two.
 LevelFunction levelFunction(const Spectrum2D& spectrum);  ///< of (x, y)
 LevelFunction levelFunctionX(const Spectrum1D& spectrum); ///< of x alone

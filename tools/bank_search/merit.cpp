@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bank_search/merit.h"
 
-#include "bank_search/spectra.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,9 +12,26 @@ namespace {
 double powerOfTwo(int exponent) { return std::ldexp(1.0, exponent); }
 int toInt(unsigned k) { return static_cast<int>(k); }
 
-// Spectra of functions where only certain levels vary.
+// Spectra. All have a mean of 1 beside what varies, or of 0.1 where only certain levels do.
 
 constexpr double kBandMean = 0.1;
+
+/// Differentiable: 4^-(k+l), halved where both axes take part.
+double smooth(unsigned k, unsigned l) {
+    if (k == 0 && l == 0) return 1;
+    return powerOfTwo(-2 * toInt(k + l) - (k > 0 && l > 0 ? 1 : 0));
+}
+
+/// An edge at no particular angle.
+double edge(unsigned k, unsigned l) {
+    return powerOfTwo(toInt(std::min(k, l)) - 2 * toInt(std::max(k, l)));
+}
+
+/// A rectangle.
+double box(unsigned k, unsigned l) { return powerOfTwo(-toInt(k + l)); }
+
+/// An edge along an axis.
+double step(unsigned k, unsigned l) { return k > 0 && l > 0 ? 0 : box(k, l); }
 
 /// Detail of about 2^p periods along one axis and 2^q along the other.
 Spectrum2D band(unsigned p, unsigned q) {
@@ -35,6 +50,9 @@ Spectrum2D stripes(unsigned p) {
         return powerOfTwo(-2 * std::abs(toInt(k + l) - toInt(p)));
     };
 }
+
+double smooth1D(unsigned k) { return powerOfTwo(-2 * toInt(k)); }
+double step1D(unsigned k) { return powerOfTwo(-toInt(k)); }
 
 /// E[mean^2] of 2^m padded points, for each m: a nested shuffle makes the pair (i, i XOR n) into
 /// any pair that parts at the same highest digit.
@@ -82,13 +100,25 @@ PairModel product(const std::string& name, float weight, const LevelFunction& f,
 using FunctionOf = std::function<LevelFunction(const Spectrum1D&)>;
 
 /// A function of one coordinate of a domain and one of another, with an edge at no particular
-/// angle.
+/// angle. Its spectrum becomes a sum of products by Cholesky's decomposition.
 PairModel edgeAcross(const std::string& name, float weight, const FunctionOf& ofFirst,
                      const FunctionOf& ofSecond) {
+    constexpr unsigned kTerms = 5; // those left out have less than a thousandth of the variance
+    double rest[kDigits + 1][kDigits + 1];
+    for (unsigned k = 0; k <= kDigits; ++k) {
+        for (unsigned l = 0; l <= kDigits; ++l) rest[k][l] = edge(k, l);
+    }
     std::vector<Product> terms;
-    for (const SpectrumTerm& term : edgeTerms()) {
-        const LevelFunction first = ofFirst(term.of), second = ofSecond(term.of);
-        const auto half = static_cast<float>(term.weight / 2);
+    for (unsigned j = 0; j < kTerms; ++j) {
+        const double pivot = rest[j][j];
+        std::array<double, kDigits + 1> row{};
+        for (unsigned k = j; k <= kDigits; ++k) row[k] = rest[j][k] / pivot;
+        for (unsigned k = 0; k <= kDigits; ++k) {
+            for (unsigned l = 0; l <= kDigits; ++l) rest[k][l] -= pivot * row[k] * row[l];
+        }
+        const Spectrum1D spectrum = [row](unsigned k) { return row[k]; };
+        const LevelFunction first = ofFirst(spectrum), second = ofSecond(spectrum);
+        const auto half = static_cast<float>(pivot / 2);
         terms.push_back({half, first, second});
         terms.push_back({half, second, first});
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rank_search/merit.h"
 
-#include "bank_search/spectra.h"
-
 #include <cmath>
 
 namespace wellstrat::ranks {
@@ -17,6 +15,8 @@ enum Function : std::size_t {
     kStepX,
     kSmoothZ,
     kStepZ,
+    kEdgeXZ,
+    kSmoothXYZ,
     kAcross ///< and those behind it
 };
 
@@ -24,21 +24,23 @@ double powerOfTwo(unsigned k) { return std::ldexp(1.0, static_cast<int>(k)); }
 
 std::vector<Products> makeFunctions() {
     std::vector<Products> result{Products(std::size_t{kRun} * kRanks, 1.0),
-                                 productsXY(bank::smooth),
-                                 productsXY(bank::edge),
-                                 productsXY(bank::box),
-                                 productsX(bank::smooth1D),
-                                 productsX(bank::step1D),
-                                 productsZ(bank::smooth1D),
-                                 productsZ(bank::step1D)};
-    for (const bank::SpectrumTerm& term : bank::edgeTerms()) result.push_back(productsX(term.of));
+                                 productsXY(smooth),
+                                 productsXY(edge),
+                                 productsXY(box),
+                                 productsX(smooth1D),
+                                 productsX(step1D),
+                                 productsZ(smooth1D, rankMatrix(2)),
+                                 productsZ(step1D, rankMatrix(2)),
+                                 productsXZ(edge, rankMatrix(2)),
+                                 productsXYZ(smooth, smooth1D, rankMatrix(2))};
+    for (const SpectrumTerm& term : edgeTerms()) result.push_back(productsX(term.of));
     return result;
 }
 
 std::vector<Model> makeModelsOfPairs() {
     Model across{"edge across", 1, {}};
     std::size_t function = kAcross;
-    for (const bank::SpectrumTerm& term : bank::edgeTerms()) {
+    for (const SpectrumTerm& term : edgeTerms()) {
         across.products.push_back({term.weight, function, function});
         ++function;
     }
@@ -106,10 +108,15 @@ const std::vector<Products>& functions() {
 
 const std::vector<Model>& modelsOfOne() {
     static const std::vector<Model> models{
-        {"smooth", 1, {{1, kSmooth, kOne}}},      {"edge", 1, {{1, kEdge, kOne}}},
-        {"box", 0.5, {{1, kBox, kOne}}},          {"smooth of x", 0.5, {{1, kSmoothX, kOne}}},
-        {"step of x", 0.5, {{1, kStepX, kOne}}},  {"smooth of z", 0.25, {{1, kSmoothZ, kOne}}},
+        {"smooth", 1, {{1, kSmooth, kOne}}},
+        {"edge", 1, {{1, kEdge, kOne}}},
+        {"box", 0.5, {{1, kBox, kOne}}},
+        {"smooth of x", 0.5, {{1, kSmoothX, kOne}}},
+        {"step of x", 0.5, {{1, kStepX, kOne}}},
+        {"smooth of z", 0.25, {{1, kSmoothZ, kOne}}},
         {"step of z", 0.25, {{1, kStepZ, kOne}}},
+        {"edge of x, z", 0.25, {{1, kEdgeXZ, kOne}}},
+        {"smooth of xyz", 0.25, {{1, kSmoothXYZ, kOne}}},
     };
     return models;
 }

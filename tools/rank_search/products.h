@@ -3,11 +3,11 @@
 // What exact Owen scrambling makes of a function in two pixels of a tile: E[f(p) f(p')], for the
 // point p of place j in the pixel of rank q and p' of place j' in the pixel of rank q', depends on
 // nothing but the digits that the points share, and so on j XOR j' and q XOR q' alone
-// (wellstrat/rank.h, bank_search/level_function.h).
+// (wellstrat/rank.h).
 
 #pragma once
 
-#include "bank_search/level_function.h"
+#include "rank_search/spectra.h"
 #include "wellstrat/rank.h"
 
 #include <array>
@@ -24,9 +24,13 @@ constexpr unsigned kRun = 1u << kRunDigits;
 /// orders of x and y, each of which half of all domains have.
 using Products = std::vector<double>;
 
-Products productsXY(const bank::Spectrum2D& spectrum);
-Products productsX(const bank::Spectrum1D& spectrum);
-Products productsZ(const bank::Spectrum1D& spectrum);
+Products productsXY(const Spectrum2D& spectrum);
+Products productsX(const Spectrum1D& spectrum);
+
+/// With `rankZ` for Dz: of z, of x or y and z, and of a function of (x, y) times one of z.
+Products productsZ(const Spectrum1D& spectrum, const RankMatrix& rankZ);
+Products productsXZ(const Spectrum2D& spectrum, const RankMatrix& rankZ);
+Products productsXYZ(const Spectrum2D& ofXY, const Spectrum1D& ofZ, const RankMatrix& rankZ);
 
 /// What makes the rank of a slot of that of a pixel, by its columns: column k is what bit k of the
 /// pixel's rank adds.

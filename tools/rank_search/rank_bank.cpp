@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rank_search/rank_bank.h"
 
+#include "bank_search/slot_order.h"
 #include "bank_search/walsh.h"
 
 #include <tbb/parallel_for.h>
@@ -12,8 +13,8 @@
 namespace wellstrat::ranks {
 namespace {
 
-/// What functions of one slot count, where those of two count 1.
-constexpr double kShareOfOne = 2;
+/// What functions of one slot count for a tile, where those of two count 1.
+constexpr double kShareOfOne = 4;
 
 double squareOf(double x) { return x * x; }
 
@@ -64,7 +65,6 @@ void addFactors(const Sums& sums, double share, const Visits& other, const Weigh
 /// Of the price to first order around that of the slot's present columns, but for a constant.
 Factors factorsOf(const RankBank& bank, std::size_t slot, const Weights& weights) {
     Factors factors(functions().size());
-    addFactors(sumsOfOne(), kShareOfOne, visitsOf(bank, 0), weights, &factors);
     for (const Partner& partner : partnersOf(bank, slot, weights)) {
         addFactors(sumsOfPairs(), 2 * partner.merit * partner.share, partner.visits, weights,
                    &factors);
@@ -152,18 +152,19 @@ Covariance covarianceOfSlots(const RankBank& bank) {
     std::vector<Visits> visits;
     for (std::size_t d = 0; d < bank.size(); ++d) visits.push_back(visitsOf(bank, d));
     Covariance result(kRanks);
+    const auto tileWeight = [](std::size_t slot) { return squareOf(slotWeight(slot)); };
     double ofSlots = 0, ofPairs = 0;
     for (std::size_t a = 0; a < bank.size(); ++a) {
-        ofSlots += slotWeight(a);
-        for (std::size_t b = 0; b < a; ++b) ofPairs += slotWeight(a) * slotWeight(b);
+        ofSlots += tileWeight(a);
+        for (std::size_t b = 0; b < a; ++b) ofPairs += tileWeight(a) * tileWeight(b);
     }
     const auto add = [&](double weight, const Covariance& covariance) {
         for (std::size_t r = 0; r < kRanks; ++r) result[r] += weight * covariance[r];
     };
     for (std::size_t a = 0; a < bank.size(); ++a) {
-        add(kShareOfOne * slotWeight(a) / ofSlots, covarianceOf(sumsOfOne(), visits[a], visits[a]));
+        add(kShareOfOne * tileWeight(a) / ofSlots, covarianceOf(sumsOfOne(), visits[a], visits[a]));
         for (std::size_t b = 0; b < a; ++b) {
-            add(slotWeight(a) * slotWeight(b) / ofPairs,
+            add(tileWeight(a) * tileWeight(b) / ofPairs,
                 covarianceOf(sumsOfPairs(), visits[a], visits[b]));
         }
     }
@@ -171,8 +172,7 @@ Covariance covarianceOfSlots(const RankBank& bank) {
 }
 
 double slotPrice(const RankBank& bank, std::size_t slot, const Weights& weights) {
-    const Visits own = visitsOf(bank, slot);
-    double price = kShareOfOne * merit(weights, covarianceOf(sumsOfOne(), own, own));
+    double price = 0;
     for (const Partner& partner : partnersOf(bank, slot, weights)) {
         price += partner.share * squareOf(partner.merit);
     }

@@ -2,7 +2,7 @@
 //
 // The ranks of slots: matrices V_d, without which two slots of a pixel would be in lockstep.
 //
-// A beam search, column after column, as in bank_search/insertion.h. All candidates for column k
+// A beam search, column after column. All candidates for column k
 // are judged at once, since what a candidate c adds to the merit is a convolution: the sum over n <
 // kRun and t < 2^k of F(U n, (V t) XOR c) times what the other slots have at n and t + 2^k.
 
@@ -20,14 +20,16 @@ namespace wellstrat::ranks {
 /// invertible block: aligned runs of 4^a ranks are mapped to aligned runs.
 using RankBank = std::vector<RankColumns>;
 
-/// What slot d counts: lower slots more. The weight of a pair is the product.
+/// What slot d counts in the search for columns: lower slots more. The weight of a pair is the
+/// product. In that for a tile, the square of it.
 double slotWeight(std::size_t slot);
 
-/// The covariance of all functions of one and of two slots, weighted.
+/// The covariance of all functions of one and of two slots, weighted, for a tile.
 Covariance covarianceOfSlots(const RankBank& bank);
 
-/// What is sought to be low: the merit of functions of the slot alone, and the squares of those of
-/// it and each of the others, weighted. The square makes a bad pair dear.
+/// What is sought to be low: the squares of the merits of the slot and each of the others,
+/// weighted. The square makes a bad pair dear. (Functions of one slot do not take part: for random
+/// tiles, all columns are alike to them.)
 double slotPrice(const RankBank& bank, std::size_t slot, const Weights& weights);
 
 /// The columns of slot `slot` with the lowest price that the search finds, beside all others of the

@@ -9,9 +9,6 @@
 namespace wellstrat::ranks {
 namespace {
 
-/// The ranks of slots are improved for random tiles, and then for the tile of these ranks.
-constexpr unsigned kTilesOfSlots = 2;
-
 /// Of an annealing, which take the time of a search for a slot's columns.
 constexpr double kSweepsOfColumns = 20;
 
@@ -35,9 +32,8 @@ private:
 } // namespace
 
 RankTables searchRanks(const SearchOptions& options, const std::function<void(double)>& progress) {
-    const double searches =
-        static_cast<double>(options.slots - 1) * (1 + kTilesOfSlots * options.rounds);
-    Progress done((1 + kTilesOfSlots) * options.sweeps + kSweepsOfColumns * searches, progress);
+    const double searches = static_cast<double>(options.slots - 1) * (1 + options.rounds);
+    Progress done(2 * options.sweeps + kSweepsOfColumns * searches, progress);
     const auto sweep = [&done] { done.add(1); };
     const auto searched = [&done] { done.add(kSweepsOfColumns); };
 
@@ -49,21 +45,18 @@ RankTables searchRanks(const SearchOptions& options, const std::function<void(do
             annealedTile(covarianceOf(sumsOfOne(), visits, visits), options.sweeps, random, sweep);
     };
     const auto findSlots = [&] {
-        std::mt19937 random(options.seed + 1);
-        Weights weights = weightsOfRandomTiles();
+        // Columns that are found for the tile of these ranks would be no better.
+        const Weights weights = weightsOfRandomTiles();
         tables.bank = {identityColumns()};
         while (tables.bank.size() < options.slots) {
             tables.bank.push_back(bestColumns(tables.bank, tables.bank.size(), weights));
             searched();
         }
-        for (unsigned tile = 0; tile < kTilesOfSlots; ++tile) {
-            for (unsigned round = 0; round < options.rounds; ++round) {
-                improve(weights, &tables.bank, searched);
-            }
-            tables.slots =
-                annealedTile(covarianceOfSlots(tables.bank), options.sweeps, random, sweep);
-            weights = weightsOf(tables.slots);
+        for (unsigned round = 0; round < options.rounds; ++round) {
+            improve(weights, &tables.bank, searched);
         }
+        std::mt19937 random(options.seed + 1);
+        tables.slots = annealedTile(covarianceOfSlots(tables.bank), options.sweeps, random, sweep);
     };
     tbb::parallel_invoke(findPadded, findSlots);
     return tables;

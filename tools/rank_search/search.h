@@ -14,7 +14,7 @@ namespace wellstrat::ranks {
 struct SearchOptions {
     uint32_t seed = 1;
     unsigned sweeps = 800; ///< of each annealing
-    unsigned rounds = 2;   ///< of improvement of the slots' ranks, for each tile
+    unsigned rounds = 3;   ///< of improvement of the slots' ranks
     std::size_t slots = 16;
 };
 

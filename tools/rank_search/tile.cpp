@@ -10,7 +10,7 @@ namespace wellstrat::ranks {
 namespace {
 
 constexpr unsigned kSize = kRankTileSize;
-constexpr unsigned kLevels = kRankDigits / 2;
+constexpr unsigned kNodeLevels = kRankDigits / 2;
 constexpr int kReach = 8; // of the window, whose weights fall to 2 % of the largest there
 
 double uniform(std::mt19937& random) { return std::ldexp(static_cast<double>(random()), -32); }
@@ -158,15 +158,15 @@ Weights weightsOf(const Tile& tile, double narrow) {
 
 Weights weightsOfRandomTiles(double narrow) {
     // All rho of pixels that part at the same level, [4^level, 4^(level + 1)), are as likely.
-    std::array<double, kLevels> ofLevel{};
+    std::array<double, kNodeLevels> ofLevel{};
     forPairs(narrow, [&](unsigned pixel, unsigned other, double weight) {
         const unsigned differing = pixel ^ other;
-        unsigned level = kLevels - 1;
+        unsigned level = kNodeLevels - 1;
         while (((differing | differing / kSize) >> level & 1u) == 0) --level;
         ofLevel[level] += weight / kRanks;
     });
     Weights weights{1};
-    for (unsigned level = 0; level < kLevels; ++level) {
+    for (unsigned level = 0; level < kNodeLevels; ++level) {
         const std::size_t count = std::size_t{3} << (2 * level);
         weights.insert(weights.end(), count, ofLevel[level] / static_cast<double>(count));
     }
@@ -179,7 +179,7 @@ double merit(const Weights& weights, const Covariance& covariance) {
 
 Tile randomTile(std::mt19937& random) {
     Tile tile(kRanks, 0);
-    for (unsigned level = 0; level < kLevels; ++level) {
+    for (unsigned level = 0; level < kNodeLevels; ++level) {
         const unsigned size = 1u << level;
         for (unsigned y = 0; y < kSize; y += 2 * size) {
             for (unsigned x = 0; x < kSize; x += 2 * size) {
@@ -207,7 +207,7 @@ Tile annealedTile(const Covariance& covariance, unsigned sweeps, std::mt19937& r
     constexpr double kHottest = 0.5;
     for (unsigned sweep = 0; sweep < sweeps; ++sweep) {
         const double left = 1 - static_cast<double>(sweep) / sweeps;
-        for (unsigned level = kLevels; level-- > 0;) {
+        for (unsigned level = kNodeLevels; level-- > 0;) {
             const unsigned swaps = 6 * kRanks >> (2 * level + 2);
             for (unsigned i = 0; i < swaps; ++i) {
                 const Swap swap = randomSwap(level, random);

@@ -9,6 +9,7 @@
 #include "common/output/output_file.h"
 #include "rank_search/judge.h"
 #include "rank_search/search.h"
+#include "rank_search/z_search.h"
 #include "wellstrat/blue_tables.h"
 #include "wellstrat/order.h"
 
@@ -27,12 +28,15 @@ in a tile for padded domains and in one for slots, and what makes each slot's ra
 Found for the orders of slots in the library by a search that takes some minutes and gives the same
 ranks on every machine. What it looks for is in tools/rank_search/merit.h.
 
+With --z, prints the columns of the matrix Dz of include/wellstrat/rank.h instead, found likewise.
+
 With --judge, nothing is searched. Instead, the ranks in the library are judged: for each model, the
 error with N samples a pixel after a Gaussian filter of sigma 2 pixels, over that of independent
 pixels with padded domains. Exact, as no sample is drawn.
 
 Examples:
   wellstrat ranks -o blue_tables.h
+  wellstrat ranks --z
   wellstrat ranks --judge
   wellstrat ranks --judge --slots 2
 
@@ -45,6 +49,7 @@ struct RanksOptions {
     uint64_t rounds = ranks::SearchOptions().rounds;
     uint64_t slots = kJointSlots;
     bool judge = false;
+    bool z = false;
     std::string output = "-";
 };
 
@@ -103,6 +108,11 @@ std::string searched(const RanksOptions& options) {
     return headerText(ranks::searchRanks(search, [&](double done) { bar.show(done); }));
 }
 
+std::string searchedZ(const RanksOptions& options) {
+    const RankMatrix matrix = ranks::searchZ(static_cast<uint32_t>(options.seed));
+    return fmt::format("{:#010x}\n", fmt::join(matrix.column, ", "));
+}
+
 ranks::RankTables libraryTables(std::size_t slots) {
     ranks::RankTables tables{ranks::RankBank(slots),
                              {std::begin(kRankTilePadded), std::end(kRankTilePadded)},
@@ -126,7 +136,9 @@ std::string judged(const RanksOptions& options) {
 
 void run(const RanksOptions& options) {
     OutputFile file(options.output);
-    file.write(options.judge ? judged(options) : searched(options));
+    file.write(options.judge ? judged(options)
+               : options.z   ? searchedZ(options)
+                             : searched(options));
     file.commit();
 }
 
@@ -144,12 +156,18 @@ void addRanks(CLI::App& app, int& /*exitCode*/) {
     CLI::Option* const rounds =
         addNumber(*command, "--rounds", options->rounds, {0, 1000},
                   fmt::format("Attempts to improve the ranks of slots [{}]", options->rounds));
-    addNumber(*command, "--slots", options->slots, {2, kJointSlots},
-              fmt::format("Only the first so many slots [{}]", options->slots));
+    CLI::Option* const slots =
+        addNumber(*command, "--slots", options->slots, {2, kJointSlots},
+                  fmt::format("Only the first so many slots [{}]", options->slots));
+    CLI::Option* const z = command->add_flag("--z", options->z, "Print the matrix Dz instead")
+                               ->excludes(sweeps)
+                               ->excludes(rounds)
+                               ->excludes(slots);
     command->add_flag("--judge", options->judge, "Judge the ranks of the library instead")
         ->excludes(seed)
         ->excludes(sweeps)
-        ->excludes(rounds);
+        ->excludes(rounds)
+        ->excludes(z);
     command->add_option("-o", options->output, "Write to FILE [standard output]")
         ->type_name("FILE");
     command->footer(kExamples);
