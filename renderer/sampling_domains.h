@@ -16,8 +16,8 @@
 // All that is stratified has a slot of wellstrat/joint.h, as far as there are slots: a
 // JointProgressive stratifies these domains together, and to other generators their scrambles are
 // like any others. No two domains of a path have the same slot, which is why the scrambles of a
-// hit depend on the bounce. Lower slots are better together, and those who need them get them: see
-// "Slots" in README.md.
+// hit depend on the bounce. The first slots are the safest together, and those who need them get
+// them: see "Slots" in README.md.
 
 #pragma once
 

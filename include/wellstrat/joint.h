@@ -13,9 +13,10 @@
 //     RixRNG direction(bxdf, wellstrat::jointScramble(1), directionContexts);
 //
 // Each slot by itself keeps every promise of the tables' samples (under splits, if they are powers
-// of two). Lower slots are better together, so give slot 0 to the domain that matters most, and use
-// each slot once on a path. What is gained is measured in docs/joint.md; the samples are defined in
-// joint_lookup.h.
+// of two). The first 4 slots are held to the strictest standard together, whatever of 1D, 2D and 3D
+// is drawn from them, and the first 8 to a stricter one than all 16: give low slots to the domains
+// that matter most, and use each slot once on a path. What is gained is measured in docs/joint.md;
+// the samples are defined in joint_lookup.h.
 
 #pragma once
 

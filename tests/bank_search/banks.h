@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "bank_search/insertion.h"
+#include "bank_search/partial_bank.h"
 
 #include <cstdint>
 #include <random>
@@ -12,13 +12,6 @@
 namespace bank_tests {
 
 using namespace wellstrat::bank;
-
-/// The identity.
-inline Columns orderedAsIs() {
-    Columns columns{};
-    for (unsigned k = 0; k < kDigits; ++k) columns[k] = static_cast<uint16_t>(1u << k);
-    return columns;
-}
 
 /// A matrix that is as random as it may be.
 inline Columns randomColumns(std::mt19937& random) {

@@ -1,60 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The beam search against plain sums, and what a search gives.
+// The search against plain sums, and what a search gives.
 
 #include "bank_search/search.h"
 
 #include "banks.h"
 
+#include "bank_search/column_choice.h"
+#include "bank_search/pair_columns.h"
 #include "bank_search/walsh.h"
+#include "wellstrat/sobol.h"
 
 #include <gtest/gtest.h>
 
-#include <bitset>
 #include <cmath>
-#include <set>
+#include <numeric>
 #include <vector>
 
 namespace bank_tests {
 namespace {
 
-double triplePrice(const TripleModel& model, const std::vector<uint16_t>& first,
-                   const std::vector<uint16_t>& second, const std::vector<uint16_t>& third) {
-    double sum = 0, total = 0;
-    for (unsigned m = 0, n = 0; m <= kDigits; ++m) {
-        for (; n < 1u << m; ++n) {
-            for (const TripleProduct& term : model.terms) {
-                sum += double(term.weight * term.first[first[n]] * term.second[second[n]] *
-                              term.third[third[n]]);
-            }
+using wellstrat::pascalTimes;
+
+PartialBank partial(const Bank& bank, unsigned digits) {
+    PartialBank result(bank.size());
+    for (unsigned k = 0; k < digits; ++k) {
+        std::vector<uint16_t> column;
+        for (const Columns& slot : bank) {
+            column.push_back(static_cast<uint16_t>(slot[k] ^ (1u << k)));
         }
-        if (m < kFirstDigits) continue;
-        const double variance = std::ldexp(sum, -static_cast<int>(m)) - double(model.squaredMean);
-        total += double(price(static_cast<float>(variance) / model.padded[m]));
+        result = result.extended(column);
     }
-    return total;
+    return result;
 }
 
-/// The price of a slot beside others, straight from the definition.
-double plainPrice(const Bank& bank, std::size_t number) {
-    const auto order = orderOf(bank[number]);
-    double total = 0;
-    for (std::size_t i = 0; i < bank.size(); ++i) {
-        if (i == number) continue;
-        for (const PairModel& model : pairModels()) {
-            const auto ratios = squaredRatios(model, order, orderOf(bank[i]));
-            for (unsigned m = kFirstDigits; m <= kDigits; ++m) {
-                total += double(model.weight * price(static_cast<float>(ratios[m])));
-            }
+double triplePrice(const TripleModel& model, const Bank& bank, std::size_t a, std::size_t b,
+                   std::size_t c, unsigned digits) {
+    const Order first = orderOf(bank[a]), second = orderOf(bank[b]), third = orderOf(bank[c]);
+    const auto value = [](std::size_t f, unsigned n) {
+        return levelFunctions()[f].squaredMean + double(levelFunctions()[f].varying[n]);
+    };
+    double sum = 0;
+    for (unsigned n = 0; n < 1u << digits; ++n) {
+        for (const TripleProduct& term : model.terms) {
+            sum += term.weight * value(term.first, first[n]) * value(term.second, second[n]) *
+                   value(term.third, third[n]);
         }
     }
-    for (const TripleModel& model : tripleModels()) {
-        for (std::size_t a = 0; a < bank.size(); ++a) {
-            for (std::size_t b = 0; b < a; ++b) {
-                if (a == number || b == number) continue;
-                total += double(model.weight) *
-                         triplePrice(model, order, orderOf(bank[a]), orderOf(bank[b])) /
-                         static_cast<double>(bank.size() - 1);
+    const double variance = sum - std::ldexp(model.squaredMean, int(digits));
+    return double(model.weight *
+                  price(static_cast<float>(variance / model.padded[digits]), standardOf(a)));
+}
+
+/// The price of all pairs, straight from the definition.
+double pairPrices(const Bank& bank, unsigned digits) {
+    double total = 0;
+    for (std::size_t a = 0; a < bank.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            for (const PairModel& model : pairModels()) {
+                const ByDigits ratios = squaredRatios(model, orderOf(bank[a]), orderOf(bank[b]));
+                total +=
+                    double(model.weight * price(static_cast<float>(ratios[digits]), standardOf(a)));
             }
         }
     }
@@ -73,93 +79,137 @@ TEST(BankSearch, WalshTransformTurnsConvolutionsIntoProducts) {
     for (unsigned c = 0; c < 8; ++c) EXPECT_EQ(f[c], 8 * plain[c]);
 }
 
-TEST(BankSearch, SlotPriceIsWhatTheDefinitionSays) {
+TEST(BankSearch, PriceIsWhatTheDefinitionSays) {
     const Bank bank = randomBank(4, 7);
-    for (const std::size_t number : {0u, 3u}) {
-        const double plain = plainPrice(bank, number);
-        EXPECT_NEAR(slotPrice(bank, number), plain, 5e-3 * plain) << number; // single precision
+    constexpr unsigned kCount = 6;
+    double plain = pairPrices(bank, kCount);
+    for (const TripleModel& model : tripleModels()) {
+        for (const auto& [a, b, c] : {std::array{2, 1, 0}, {3, 1, 0}, {3, 2, 0}, {3, 2, 1}}) {
+            plain += triplePrice(model, bank, std::size_t(a), std::size_t(b), std::size_t(c),
+                                 kCount) *
+                     1.5; // as many as pairs
+        }
+    }
+    EXPECT_NEAR(partial(bank, kCount).price(), plain, 1e-4 * plain);
+}
+
+/// Each model that is not symmetric has both directions.
+TEST(BankSearch, NoDirectionOfAPairIsHidden) {
+    const Bank bank = randomBank(2, 5);
+    const Bank exchanged{bank[1], bank[0]};
+    std::size_t unlike = 0;
+    for (const PairModel& model : pairModels()) {
+        const ByDigits there = squaredRatios(model, orderOf(bank[0]), orderOf(bank[1]));
+        const ByDigits back = squaredRatios(model, orderOf(bank[1]), orderOf(bank[0]));
+        if (std::abs(there[6] - back[6]) > 1e-3) ++unlike;
+    }
+    EXPECT_GT(unlike, 50u);
+    for (const unsigned digits : {4u, 6u}) {
+        const double total = pairPrices(bank, digits);
+        EXPECT_NEAR(pairPrices(exchanged, digits), total, 1e-4 * total);
     }
 }
 
-TEST(BankSearch, BestSlotIsBetterThanRandomOnes) {
-    std::mt19937 random(1);
-    Bank bank{orderedAsIs()};
-    bank.push_back(bestSlot(bank, 1, {}, random));
-    bank.push_back(bestSlot(bank, 2, {}, random));
-    const double found = slotPrice(bank, 2);
-    for (unsigned attempt = 0; attempt < 50; ++attempt) {
-        bank[2] = randomColumns(random);
-        EXPECT_LT(found, slotPrice(bank, 2));
+/// Half of all patterns have the order P U, so that U and P U are the same slot.
+TEST(BankSearch, SlotsAreKnownButForTheSwap) {
+    const Bank bank = randomBank(2, 9);
+    Columns swapped{};
+    for (unsigned k = 0; k < kDigits; ++k) {
+        swapped[k] = static_cast<uint16_t>(pascalTimes(bank[1][k]));
     }
+    EXPECT_NE(swapped[1], bank[1][1]);
+    for (const PairModel& model : pairModels()) {
+        const ByDigits one = squaredRatios(model, orderOf(bank[0]), orderOf(bank[1]));
+        const ByDigits other = squaredRatios(model, orderOf(bank[0]), orderOf(swapped));
+        for (const unsigned m : {4u, 8u, 12u, 16u}) EXPECT_NEAR(one[m], other[m], 1e-5) << m;
+    }
+}
+
+TEST(BankSearch, ColumnsOfAPairArePricedAtOnce) {
+    constexpr unsigned kColumn = 5;
+    const Bank bank = randomBank(2, 2);
+    const Order one = orderOf(bank[0], kColumn), other = orderOf(bank[1], kColumn);
+    const Order inverse = inverted(one), otherInverse = inverted(other);
+    Order relative;
+    for (const uint16_t t : inverse) relative.push_back(other[t]);
+    const PairColumns columns(kColumn);
+    columns.forEachModel(relative, [&](std::size_t i, const std::vector<float>& sums) {
+        if (i % 7 != 0) return;
+        for (const auto& [c, d] : {std::pair(0u, 0u), std::pair(11u, 0u), std::pair(6u, 29u)}) {
+            double plain = 0;
+            for (unsigned t = 0; t < 32; ++t) {
+                for (const Product& term : pairModels()[i].terms) {
+                    plain += term.weight *
+                             double(levelFunctions()[term.first].varying[32 + (one[t] ^ c)]) *
+                             double(levelFunctions()[term.second].varying[32 + (other[t] ^ d)]);
+                }
+            }
+            const unsigned moved = one[otherInverse[d]];
+            EXPECT_NEAR(double(sums[c ^ moved]) / 32, plain, 1e-5) << i << ' ' << c << ' ' << d;
+        }
+    });
+}
+
+TEST(BankSearch, ChosenColumnsCostWhatTheySayAndLessThanRandomOnes) {
+    const PartialBank bank = partial(randomBank(3, 4), 6);
+    std::mt19937 random(1);
+    const auto choices = chooseColumns(bank, Bank(1), {20, 5}, random);
+    ASSERT_FALSE(choices.empty());
+    const auto priceOf = [&](const std::vector<uint16_t>& column) {
+        return pairPrices(bank.extended(column).bank(), 7);
+    };
+    for (const ColumnChoice& choice : choices) {
+        EXPECT_EQ(choice.column[0], 0);
+        EXPECT_NEAR(choice.price, priceOf(choice.column), 1e-3 * choice.price);
+        EXPECT_GE(choice.price, choices[0].price);
+    }
+    for (unsigned attempt = 0; attempt < 8; ++attempt) {
+        const std::vector<uint16_t> column{0, static_cast<uint16_t>(random() % 64),
+                                           static_cast<uint16_t>(random() % 64)};
+        EXPECT_GE(priceOf(column), choices[0].price - 1e-3);
+    }
+}
+
+SearchOptions quickSearch() {
+    SearchOptions options;
+    options.digits = 8;
+    options.width = 4;
+    options.attempts = 5;
+    options.slots = 8;
+    return options;
 }
 
 TEST(BankSearch, SlotsAreUpperTriangularAndTheFirstIsTheIdentity) {
-    SearchOptions options;
+    SearchOptions options = quickSearch();
     options.slots = 5;
-    options.rounds = 2;
     double last = 0;
     const Bank bank = searchBank(options, [&](double done) {
         EXPECT_GE(done, last);
         EXPECT_LE(done, 1);
         last = done;
     });
+    EXPECT_EQ(last, 1);
     ASSERT_EQ(bank.size(), 5u);
     for (const Columns& columns : bank) {
-        for (unsigned k = 0; k < kDigits; ++k) EXPECT_EQ(columns[k] >> k, 1);
+        for (unsigned k = 0; k < options.digits; ++k) EXPECT_EQ(columns[k] >> k, 1);
     }
-    for (unsigned k = 0; k < kDigits; ++k) EXPECT_EQ(bank[0][k], 1u << k);
+    for (unsigned k = 0; k < options.digits; ++k) EXPECT_EQ(bank[0][k], 1u << k);
 }
 
-/// Of all pairs of slots, how many agree in the function of the first `digits` index bits that
-/// `functional` has.
-template <typename Functional>
-unsigned agreeing(const Bank& bank, unsigned digits, Functional functional) {
-    std::set<std::vector<unsigned>> different;
-    for (const Columns& columns : bank) {
-        std::vector<unsigned> bits;
-        for (unsigned k = 0; k < digits; ++k) bits.push_back(functional(columns[k]));
-        different.insert(bits);
-    }
-    return static_cast<unsigned>(bank.size() - different.size());
-}
-
-TEST(BankSearch, FirstDigitsDifferAsFarAsTheyCan) {
-    SearchOptions options;
-    options.rounds = 0;
+TEST(BankSearch, IsReproducibleAndSeedsDiffer) {
+    SearchOptions options = quickSearch();
     const Bank bank = searchBank(options, [](double) {});
-    const auto x = [](unsigned column) { return column & 1u; };
-    const auto y = [](unsigned column) { return std::bitset<16>(column).count() % 2; };
-    const auto sum = [&](unsigned column) { return x(column) ^ static_cast<unsigned>(y(column)); };
-    const auto both = [&](unsigned column) {
-        return x(column) + 2 * static_cast<unsigned>(y(column));
-    };
-    EXPECT_EQ(agreeing(bank, 6, x), 0u);
-    EXPECT_EQ(agreeing(bank, 6, [&](unsigned c) { return static_cast<unsigned>(y(c)); }), 0u);
-    EXPECT_EQ(agreeing(bank, 6, sum), 0u);
-    EXPECT_EQ(agreeing(bank, 4, both), 0u);
-    const Bank four(bank.begin(), bank.begin() + 4);
-    EXPECT_EQ(agreeing(four, 4, x), 0u);
-    EXPECT_EQ(agreeing(four, 4, sum), 0u);
-}
-
-TEST(BankSearch, FewerSlotsAreTheFirstOnesOfMore) {
-    SearchOptions options;
-    options.rounds = 3;
-    options.slots = 2;
-    const Bank two = searchBank(options, [](double) {});
-    options.slots = 4;
-    const Bank four = searchBank(options, [](double) {});
-    EXPECT_EQ(two, Bank(four.begin(), four.begin() + 2));
-    EXPECT_EQ(four, searchBank(options, [](double) {}));
-}
-
-TEST(BankSearch, SeedsDiffer) {
-    SearchOptions options;
-    options.slots = 8;
-    options.rounds = 3;
-    const Bank bank = searchBank(options, [](double) {});
+    EXPECT_EQ(searchBank(options, [](double) {}), bank);
     options.seed = 2;
     EXPECT_NE(searchBank(options, [](double) {}), bank);
+}
+
+TEST(BankSearch, IsBetterThanRandom) {
+    const SearchOptions options = quickSearch();
+    const double found = pairPrices(searchBank(options, [](double) {}), 8);
+    for (uint32_t seed = 1; seed <= 2; ++seed) {
+        EXPECT_LT(found, 0.5 * pairPrices(randomBank(8, seed), 8));
+    }
 }
 
 } // namespace

@@ -24,7 +24,7 @@ OPTIONS = {
               "--save-every"),
     "report": ("-o", "--generators", "--integrands", "--patterns", "--count", "--quick",
                "--thorough", "--bench", "--keep-plot-files"),
-    "bank": ("--seed", "--rounds", "--slots", "--judge", "--integrands", "-o"),
+    "bank": ("--seed", "--width", "--slots", "--judge", "--integrands", "-o"),
     "ranks": ("--seed", "--sweeps", "--rounds", "--slots", "--z", "--judge", "-o"),
     "render": ("-o", "--spp", "--generator", "--size", "--depth", "--split", "--distrib",
                "--time-limit", "--threads", "--seed", "--samples", "--checkpoint", "--save-every",

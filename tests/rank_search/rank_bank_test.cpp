@@ -57,8 +57,8 @@ TEST(RankBankSearch, PricesAreWhatTheDefinitionSays) {
     const auto pair = [&](unsigned a, unsigned b) {
         return merit(weights, covarianceOf(sumsOfPairs(), visits[a], visits[b]));
     };
-    const double w0 = slotWeight(0), w2 = slotWeight(2);
-    const double pairs = (w0 * pair(0, 1) * pair(0, 1) + w2 * pair(2, 1) * pair(2, 1)) / (w0 + w2);
+    const double w0 = weightForColumns(0), w2 = weightForColumns(2);
+    const double pairs = (w0 * std::pow(pair(0, 1), 3) + w2 * std::pow(pair(2, 1), 3)) / (w0 + w2);
     EXPECT_NEAR(slotPrice(bank, 1, weights), pairs, 1e-9);
 }
 
@@ -79,7 +79,7 @@ TEST(RankBankSearch, CovarianceOfSlotsIsTheWeightedSum) {
     const Covariance all = covarianceOfSlots(bank);
     const Covariance one = covarianceOf(sumsOfOne(), a, a), other = covarianceOf(sumsOfOne(), b, b);
     const Covariance pair = covarianceOf(sumsOfPairs(), a, b);
-    const double wa = std::pow(slotWeight(0), 2), wb = std::pow(slotWeight(1), 2);
+    const double wa = weightForTile(0), wb = weightForTile(1);
     EXPECT_GT(wa, wb);
     for (const std::size_t rho : {0u, 1u, 77u, 4095u}) {
         EXPECT_NEAR(all[rho], 4 * (wa * one[rho] + wb * other[rho]) / (wa + wb) + pair[rho], 1e-9);

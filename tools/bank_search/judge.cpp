@@ -3,131 +3,106 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <stdexcept>
+#include <utility>
 
 namespace wellstrat::bank {
 namespace {
 
-/// A(k, l): the mean square of the integrand's means over dyadic rectangles of 2^-k x 2^-l.
-class DyadicMeans {
-public:
-    explicit DyadicMeans(const Integrand& integrand) : integrand_(integrand) {
-        const std::vector<double> columns = rowMeans(0, 0);
-        mean_ = std::accumulate(columns.begin(), columns.end(), 0.0) / kPoints;
-    }
-
-    double mean() const { return mean_; }
-
-    /// E[f(p) f(q)] for random p and q that share just a digits of x and b of y.
-    double product(unsigned a, unsigned b) const {
-        if (a == kDigits) return squares_[kDigits][kDigits];
-        return 4 * squares_[a][b] - 2 * squares_[a + 1][b] - 2 * squares_[a][b + 1] +
-               squares_[a + 1][b + 1];
-    }
-
-private:
-    /// The means over the rectangles of 2^-12 x 2^-l in one row. Adds up their squares, and those
-    /// of wider rectangles, for this row and all that it contains.
-    std::vector<double> rowMeans(unsigned l, unsigned row) {
-        std::vector<double> means(kPoints);
-        if (l == kDigits) {
-            for (unsigned x = 0; x < kPoints; ++x) {
-                const double point[] = {(x + 0.5) / kPoints, (row + 0.5) / kPoints};
-                means[x] = integrand_.value(point);
-            }
-        } else {
-            means = rowMeans(l + 1, 2 * row);
-            const std::vector<double> next = rowMeans(l + 1, 2 * row + 1);
-            for (unsigned x = 0; x < kPoints; ++x) means[x] = (means[x] + next[x]) / 2;
-        }
-        addSquares(l, means);
-        return means;
-    }
-
-    void addSquares(unsigned l, std::vector<double> means) {
-        for (unsigned k = kDigits;; --k) {
-            double sum = 0;
-            for (const double mean : means) sum += mean * mean;
-            squares_[k][l] += std::ldexp(sum, -static_cast<int>(k + l));
-            if (k == 0) return;
-            for (std::size_t i = 0; i < means.size() / 2; ++i) {
-                means[i] = (means[2 * i] + means[2 * i + 1]) / 2;
-            }
-            means.resize(means.size() / 2);
-        }
-    }
-
-    const Integrand& integrand_;
-    double mean_ = 0;
-    double squares_[kDigits + 1][kDigits + 1] = {};
-};
-
-/// 2^-m times the running sums at n = 2^m, less `squaredMean`.
-template <typename Value>
-ByDigits variances(double squaredMean, Value value) {
-    ByDigits result{};
-    double sum = 0;
-    for (unsigned m = 0, n = 0; m <= kDigits; ++m) {
-        for (; n < 1u << m; ++n) sum += value(n);
-        result[m] = std::max(0.0, std::ldexp(sum, -static_cast<int>(m)) - squaredMean);
-    }
-    return result;
+/// The variance of the mean of f g over 2^m points, from the sums of the covariances of f, of g and
+/// of the products of both.
+double variance(unsigned m, double squaredMeanF, double squaredMeanG, double sumF, double sumG,
+                double sumOfProducts) {
+    const double sum = squaredMeanG * sumF + squaredMeanF * sumG + sumOfProducts;
+    return std::max(0.0, std::ldexp(sum, -static_cast<int>(m)));
 }
 
-/// The means of `function` over the n that have the same highest bit.
-std::vector<double> paddedFunction(const std::vector<double>& function) {
-    std::vector<double> padded = function;
-    for (unsigned begin = 1; begin < kPoints; begin *= 2) {
-        double sum = 0;
-        for (unsigned n = begin; n < 2 * begin; ++n) sum += function[n];
-        std::fill_n(padded.begin() + begin, begin, sum / begin);
+constexpr unsigned kBlock = 256;
+
+/// The covariances of all integrands for the indices that a slot visits in a block.
+std::vector<double> visited(const std::vector<JudgedIntegrand>& integrands, const uint16_t* order,
+                            unsigned count) {
+    std::vector<double> values(count * integrands.size());
+    for (std::size_t f = 0; f < integrands.size(); ++f) {
+        for (unsigned n = 0; n < count; ++n) {
+            values[n * integrands.size() + f] = integrands[f].covariance[order[n]];
+        }
     }
-    return padded;
+    return values;
 }
 
 } // namespace
 
-Judgement judge(const Bank& bank, const Integrand& integrand) {
-    if (integrand.domains != DomainDims{2}) {
-        throw std::invalid_argument("'" + integrand.name + "' does not have one domain of 2D");
+Judge::Judge(std::vector<JudgedIntegrand> integrands, unsigned digits)
+    : integrands_(std::move(integrands)), digits_(digits) {
+    for (const JudgedIntegrand& f : integrands_) {
+        alone_.push_back(prefixSums(f.covariance));
     }
-    const DyadicMeans means(integrand);
-    std::vector<double> function(kPoints);
-    for (unsigned n = 0; n < kPoints; ++n) {
-        const unsigned x = sharedDigitsX(n), y = sharedDigitsY(n);
-        function[n] = (means.product(x, y) + means.product(y, x)) / 2; // by the random swap
-    }
-    const double squaredMean = std::pow(means.mean(), 4);
-    const std::vector<double> paddedOne = paddedFunction(function);
-    const ByDigits padded =
-        variances(squaredMean, [&](unsigned n) { return paddedOne[n] * paddedOne[n]; });
-    const ByDigits alike =
-        variances(squaredMean, [&](unsigned n) { return function[n] * function[n]; });
-
-    Judgement judgement{};
-    const auto slots = static_cast<double>(bank.size());
-    const double pairs = slots * (slots - 1) / 2;
-    std::vector<std::vector<uint16_t>> orders;
-    for (const Columns& columns : bank) orders.push_back(orderOf(columns));
-    for (std::size_t a = 0; a < bank.size(); ++a) {
-        for (std::size_t b = 0; b < a; ++b) {
-            const ByDigits joint = variances(squaredMean, [&](unsigned n) {
-                return function[orders[a][n]] * function[orders[b][n]];
-            });
+    for (std::size_t f = 0; f < integrands_.size(); ++f) {
+        for (std::size_t g = 0; g < integrands_.size(); ++g) {
+            ByDigits variances{};
+            // A nested shuffle makes n into any number with the same highest bit.
+            double products = alone_[f][0] * alone_[g][0];
             for (unsigned m = 0; m <= kDigits; ++m) {
-                const double ratio = std::sqrt(joint[m] / padded[m]);
-                judgement.mean[m] += ratio / pairs;
-                judgement.worst[m] = std::max(judgement.worst[m], ratio);
+                if (m > 0) {
+                    products += std::ldexp((alone_[f][m] - alone_[f][m - 1]) *
+                                               (alone_[g][m] - alone_[g][m - 1]),
+                                           1 - static_cast<int>(m));
+                }
+                variances[m] = variance(m, integrands_[f].squaredMean, integrands_[g].squaredMean,
+                                        alone_[f][m], alone_[g][m], products);
+            }
+            padded_.push_back(variances);
+        }
+    }
+}
+
+std::vector<ByDigits> Judge::ratios(const Columns& one, const Columns& other) const {
+    const std::vector<uint16_t> firstOrder = orderOf(one), secondOrder = orderOf(other);
+    const std::size_t count = integrands_.size();
+    std::vector<double> products(count * count);
+    std::vector<ByDigits> ratios(count * count);
+    for (unsigned m = 0, n = 0; m <= digits_; ++m) {
+        while (n < 1u << m) {
+            const unsigned size = std::min(kBlock, (1u << m) - n);
+            const std::vector<double> first = visited(integrands_, &firstOrder[n], size);
+            const std::vector<double> second = visited(integrands_, &secondOrder[n], size);
+            for (unsigned i = 0; i < size; ++i) {
+                for (std::size_t f = 0; f < count; ++f) {
+                    const double factor = first[i * count + f];
+                    const double* const values = &second[i * count];
+                    double* const row = &products[f * count];
+                    for (std::size_t g = 0; g < count; ++g) row[g] += factor * values[g];
+                }
+            }
+            n += size;
+        }
+        for (std::size_t f = 0; f < count; ++f) {
+            for (std::size_t g = 0; g < count; ++g) {
+                const std::size_t i = f * count + g;
+                const double joint =
+                    variance(m, integrands_[f].squaredMean, integrands_[g].squaredMean,
+                             alone_[f][m], alone_[g][m], products[i]);
+                ratios[i][m] = std::sqrt(joint / padded_[i][m]);
             }
         }
     }
-    const auto others = static_cast<double>(bank.size() - 1);
+    return ratios;
+}
+
+ByDigits Judge::floor(std::size_t f, std::size_t slots) const {
+    const JudgedIntegrand& integrand = integrands_[f];
+    std::vector<double> squares = integrand.covariance;
+    for (double& value : squares) value *= value;
+    const ByDigits sums = prefixSums(squares);
+    ByDigits result{};
     for (unsigned m = 0; m <= kDigits; ++m) {
-        const double squared = 1 - (alike[m] / padded[m] - 1) / others;
-        judgement.bound[m] = std::sqrt(std::max(0.0, squared));
+        const double alike = variance(m, integrand.squaredMean, integrand.squaredMean, alone_[f][m],
+                                      alone_[f][m], sums[m]);
+        const double ratio = alike / padded_[f * integrands_.size() + f][m];
+        const double squared = 1 - (ratio - 1) / static_cast<double>(slots - 1);
+        result[m] = std::sqrt(std::max(0.0, squared));
     }
-    return judgement;
+    return result;
 }
 
 } // namespace wellstrat::bank

@@ -3,109 +3,93 @@
 
 #include "wellstrat/sobol.h"
 
-#include <algorithm>
-
 namespace wellstrat::bank {
 namespace {
 
-/// The expectation of the product of a level-k difference at two points that share `digits` digits.
-double levelProduct(unsigned k, unsigned digits) {
-    if (digits >= k) return 1;
-    return digits + 1 == k ? -1 : 0;
-}
-
-unsigned leadingZeros(uint32_t value) {
+/// Leading digits that two points share whose coordinates differ by `difference`.
+unsigned leadingZeros(uint32_t difference) {
     unsigned count = 0;
-    while (count < kDigits && (value >> (31 - count) & 1u) == 0) ++count;
+    while (count < kDigits && (difference >> (31 - count) & 1u) == 0) ++count;
     return count;
 }
 
-unsigned sharedDigits(unsigned dimension, unsigned n) {
-    static const SobolMatrix matrices[] = {sobolMatrix(0), sobolMatrix(1), sobolMatrix(2)};
-    return leadingZeros(sobolSample(matrices[dimension], n));
-}
-
-/// Mean over U and P U.
-LevelFunction meanOverSwap(const LevelFunction& function) {
-    LevelFunction mean(kPoints);
-    for (unsigned n = 0; n < kPoints; ++n) {
-        mean[n] = 0.5f * (function[n] + function[pascalTimes(n)]);
-    }
-    return mean;
-}
-
-/// Visit n has the points [n 2^split, (n + 1) 2^split) of tables that end after 4096 points: visits
-/// of different tables are independent and share nothing but the mean.
-LevelFunction meanOverVisit(const LevelFunction& function, unsigned split, double squaredMean) {
-    const unsigned size = 1u << split;
-    LevelFunction visits(kPoints, static_cast<float>(squaredMean));
-    for (unsigned n = 0; n < kPoints / size; ++n) {
-        double sum = 0;
-        for (unsigned branch = 0; branch < size; ++branch) {
-            sum += double(function[n * size + branch]);
-        }
-        visits[n] = static_cast<float>(sum / size);
-    }
-    return visits;
-}
-
-LevelFunction plainFunction(const Spectrum2D& spectrum) {
-    double byDigits[kDigits + 1][kDigits + 1] = {};
-    for (unsigned a = 0; a <= kDigits; ++a) {
-        for (unsigned b = 0; b <= kDigits; ++b) {
-            for (unsigned k = 0; k <= kDigits; ++k) {
-                for (unsigned l = 0; l <= kDigits; ++l) {
-                    byDigits[a][b] += spectrum(k, l) * levelProduct(k, a) * levelProduct(l, b);
-                }
-            }
-        }
-    }
-    LevelFunction function(kPoints);
-    for (unsigned n = 0; n < kPoints; ++n) {
-        function[n] = static_cast<float>(byDigits[sharedDigitsX(n)][sharedDigitsY(n)]);
-    }
-    return function;
-}
-
-/// Of one coordinate, which is x or z.
-LevelFunction plainFunction(const Spectrum1D& spectrum, unsigned (*sharedDigits)(unsigned)) {
-    std::array<double, kDigits + 1> byDigits{};
+/// From shares of levels to what they add up to at two points that share so many digits: a level k
+/// counts in full with k digits or more, negative with k - 1, and not at all with less.
+void sumAlongAxis(double* first, std::size_t stride) {
+    double sum = 0;
     for (unsigned digits = 0; digits <= kDigits; ++digits) {
-        for (unsigned k = 0; k <= kDigits; ++k) {
-            byDigits[digits] += spectrum(k) * levelProduct(k, digits);
+        double& value = first[digits * stride];
+        sum += value;
+        value = sum - (digits < kDigits ? first[(digits + 1) * stride] : 0);
+    }
+}
+
+/// E[f(p) f(q)] less the squared mean, by the digits that p and q share.
+ByLevels sumOverLevels(ByLevels shares) {
+    constexpr std::size_t kSize = kDigits + 1;
+    shares[0][0][0] = 0;
+    for (unsigned a = 0; a < kSize; ++a) {
+        for (unsigned b = 0; b < kSize; ++b) {
+            sumAlongAxis(&shares[a][b][0], 1);
         }
     }
-    LevelFunction function(kPoints);
-    for (unsigned n = 0; n < kPoints; ++n) {
-        function[n] = static_cast<float>(byDigits[sharedDigits(n)]);
+    for (unsigned a = 0; a < kSize; ++a) {
+        for (unsigned b = 0; b < kSize; ++b) {
+            sumAlongAxis(&shares[a][0][b], kSize);
+        }
     }
-    return function;
+    for (unsigned a = 0; a < kSize; ++a) {
+        for (unsigned b = 0; b < kSize; ++b) {
+            sumAlongAxis(&shares[0][a][b], kSize * kSize);
+        }
+    }
+    return shares;
+}
+
+/// For points of index i, i XOR n; the mean over the 2^split samples of visits, if n is of those.
+std::vector<double> inOwnOrder(const ByLevels& shares, unsigned split) {
+    static const SobolMatrix matrices[] = {sobolMatrix(0), sobolMatrix(1), sobolMatrix(2)};
+    const ByLevels sums = sumOverLevels(shares);
+    const unsigned size = 1u << split;
+    std::vector<double> result(kPoints);
+    for (unsigned n = 0; n < kPoints; ++n) {
+        for (unsigned index = n * size; index < (n + 1) * size; ++index) {
+            const unsigned x = leadingZeros(sobolSample(matrices[0], index));
+            const unsigned y = leadingZeros(sobolSample(matrices[1], index));
+            const unsigned z = leadingZeros(sobolSample(matrices[2], index));
+            result[n] += sums[z][y][x] / size;
+        }
+    }
+    return result;
+}
+
+std::vector<double> meanOverSwap(const std::vector<double>& values) {
+    std::vector<double> mean(kPoints);
+    for (unsigned n = 0; n < kPoints; ++n) mean[n] = (values[n] + values[pascalTimes(n)]) / 2;
+    return mean;
 }
 
 } // namespace
 
-unsigned sharedDigitsX(unsigned n) { return sharedDigits(0, n); }
-unsigned sharedDigitsY(unsigned n) { return sharedDigits(1, n); }
-unsigned sharedDigitsZ(unsigned n) { return sharedDigits(2, n); }
-
-LevelFunction levelFunction(const Spectrum2D& spectrum) {
-    return meanOverSwap(plainFunction(spectrum));
+ByLevels sharesOf(const Spectrum& spectrum) {
+    ByLevels shares{};
+    for (unsigned j = 0; j <= kDigits; ++j) {
+        for (unsigned l = 0; l <= kDigits; ++l) {
+            for (unsigned k = 0; k <= kDigits; ++k) shares[j][l][k] = spectrum(k, l, j);
+        }
+    }
+    return shares;
 }
 
-LevelFunction levelFunctionX(const Spectrum1D& spectrum) {
-    return meanOverSwap(plainFunction(spectrum, sharedDigitsX));
+std::vector<double> covariances(const ByLevels& shares) {
+    return meanOverSwap(inOwnOrder(shares, 0));
 }
 
-LevelFunction levelFunctionZ(const Spectrum1D& spectrum) {
-    return meanOverSwap(plainFunction(spectrum, sharedDigitsZ));
-}
+LevelFunction levelFunction(const Spectrum& spectrum) { return levelFunction(spectrum, 0); }
 
-LevelFunction levelFunction(const Spectrum2D& spectrum, unsigned split) {
-    return meanOverSwap(meanOverVisit(plainFunction(spectrum), split, spectrum(0, 0)));
-}
-
-LevelFunction levelFunctionX(const Spectrum1D& spectrum, unsigned split) {
-    return meanOverSwap(meanOverVisit(plainFunction(spectrum, sharedDigitsX), split, spectrum(0)));
+LevelFunction levelFunction(const Spectrum& spectrum, unsigned split) {
+    const std::vector<double> values = meanOverSwap(inOwnOrder(sharesOf(spectrum), split));
+    return {spectrum(0, 0, 0), {values.begin(), values.end()}, prefixSums(values)};
 }
 
 } // namespace wellstrat::bank

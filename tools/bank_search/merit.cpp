@@ -1,233 +1,242 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bank_search/merit.h"
 
+#include "bank_search/spectra.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace wellstrat::bank {
 namespace {
 
-double powerOfTwo(int exponent) { return std::ldexp(1.0, exponent); }
-int toInt(unsigned k) { return static_cast<int>(k); }
-
-// Spectra. All have a mean of 1 beside what varies, or of 0.1 where only certain levels do.
-
-constexpr double kBandMean = 0.1;
-
-/// Differentiable: 4^-(k+l), halved where both axes take part.
-double smooth(unsigned k, unsigned l) {
-    if (k == 0 && l == 0) return 1;
-    return powerOfTwo(-2 * toInt(k + l) - (k > 0 && l > 0 ? 1 : 0));
-}
-
-/// An edge at no particular angle.
-double edge(unsigned k, unsigned l) {
-    return powerOfTwo(toInt(std::min(k, l)) - 2 * toInt(std::max(k, l)));
-}
-
-/// A rectangle.
-double box(unsigned k, unsigned l) { return powerOfTwo(-toInt(k + l)); }
-
-/// An edge along an axis.
-double step(unsigned k, unsigned l) { return k > 0 && l > 0 ? 0 : box(k, l); }
-
-/// Detail of about 2^p periods along one axis and 2^q along the other.
-Spectrum2D band(unsigned p, unsigned q) {
-    return [p, q](unsigned k, unsigned l) {
-        if (k == 0 && l == 0) return kBandMean;
-        if (k == 0 || l == 0) return 0.0;
-        return powerOfTwo(-2 * (std::abs(toInt(k) - toInt(p)) + std::abs(toInt(l) - toInt(q))));
-    };
-}
-
-/// The same along one axis only.
-Spectrum2D stripes(unsigned p) {
-    return [p](unsigned k, unsigned l) {
-        if (k == 0 && l == 0) return kBandMean;
-        if (k > 0 && l > 0) return 0.0;
-        return powerOfTwo(-2 * std::abs(toInt(k + l) - toInt(p)));
-    };
-}
-
-double smooth1D(unsigned k) { return powerOfTwo(-2 * toInt(k)); }
-double step1D(unsigned k) { return powerOfTwo(-toInt(k)); }
-
-/// E[mean^2] of 2^m padded points, for each m: a nested shuffle makes the pair (i, i XOR n) into
-/// any pair that parts at the same highest digit.
-template <typename Model, typename TermSum>
-void setPadded(Model& model, TermSum termSum) {
-    std::array<double, kDigits + 1> sum{};
-    sum[0] = termSum(0u, 1u);
-    for (unsigned m = 0; m < kDigits; ++m) sum[m + 1] = sum[m] + termSum(1u << m, 2u << m);
-    for (unsigned m = 0; m <= kDigits; ++m) {
-        model.padded[m] = static_cast<float>(std::ldexp(sum[m], -toInt(m)) - model.squaredMean);
+/// Collects level functions and the models that are made of them.
+class Models {
+public:
+    std::size_t add(const Spectrum& spectrum, unsigned split = 0) {
+        functions.push_back(levelFunction(spectrum, split));
+        return functions.size() - 1;
     }
-}
 
-double mean(const LevelFunction& function, unsigned begin, unsigned end) {
-    double sum = 0;
-    for (unsigned n = begin; n < end; ++n) sum += double(function[n]);
-    return sum / (end - begin);
-}
-
-PairModel pairModel(std::string name, float weight, std::vector<Product> terms,
-                    double squaredMean) {
-    PairModel model{std::move(name), weight, std::move(terms), static_cast<float>(squaredMean), {}};
-    setPadded(model, [&](unsigned begin, unsigned end) {
-        double sum = 0;
+    void addPair(std::string name, float weight, std::vector<Product> terms) {
+        PairModel model{std::move(name), weight, std::move(terms), {}, {}};
         for (const Product& term : model.terms) {
-            sum += double(term.weight) * (end - begin) * mean(term.first, begin, end) *
-                   mean(term.second, begin, end);
+            const LevelFunction &f = functions[term.first], &g = functions[term.second];
+            double products = 0;
+            for (unsigned m = 0; m <= kDigits; ++m) {
+                model.apart[m] +=
+                    term.weight * (g.squaredMean * f.sums[m] + f.squaredMean * g.sums[m]);
+                products += paddedProducts(f, m) * paddedProducts(g, m) / sizeOfRange(m);
+                model.padded[m] += term.weight * products;
+            }
         }
-        return sum;
-    });
-    return model;
-}
+        for (unsigned m = 0; m <= kDigits; ++m) model.padded[m] += model.apart[m];
+        pairs.push_back(std::move(model));
+    }
 
-/// f(domain) f(other domain).
-PairModel square(const std::string& name, float weight, const LevelFunction& f, double mean) {
-    return pairModel(name + " x " + name, weight, {{1, f, f}}, mean * mean);
-}
+    /// f(domain) f(other domain).
+    void addSquare(const std::string& name, float weight, std::size_t f) {
+        addPair(name + "^2", weight, {{1, f, f}});
+    }
 
-/// f(domain) g(other domain), and the other way round.
-PairModel product(const std::string& name, float weight, const LevelFunction& f,
-                  const LevelFunction& g) {
-    return pairModel(name, weight, {{0.5f, f, g}, {0.5f, g, f}}, 1);
-}
+    /// Both directions of a kind of functions that is not symmetric.
+    void addBoth(const std::string& name, float weight, const std::vector<Product>& terms) {
+        std::vector<Product> exchanged = terms;
+        for (Product& term : exchanged) std::swap(term.first, term.second);
+        addPair(name, weight, terms);
+        addPair(name + ", exchanged", weight, std::move(exchanged));
+    }
 
-using FunctionOf = std::function<LevelFunction(const Spectrum1D&)>;
+    void addTriple(std::string name, float weight, std::vector<TripleProduct> terms) {
+        TripleModel model{std::move(name), weight, std::move(terms), 0, {}};
+        for (const TripleProduct& term : model.terms) {
+            const LevelFunction &f = functions[term.first], &g = functions[term.second],
+                                &h = functions[term.third];
+            const double mean = f.squaredMean * g.squaredMean * h.squaredMean;
+            model.squaredMean += term.weight * mean;
+            double products = 0;
+            for (unsigned m = 0; m <= kDigits; ++m) {
+                products += paddedMean(f, m) * paddedMean(g, m) * paddedMean(h, m) * sizeOfRange(m);
+                model.padded[m] += term.weight * (products - std::ldexp(mean, toInt(m)));
+            }
+        }
+        triples.push_back(std::move(model));
+    }
 
-/// A function of one coordinate of a domain and one of another, with an edge at no particular
-/// angle. Its spectrum becomes a sum of products by Cholesky's decomposition.
-PairModel edgeAcross(const std::string& name, float weight, const FunctionOf& ofFirst,
-                     const FunctionOf& ofSecond) {
-    constexpr unsigned kTerms = 5; // those left out have less than a thousandth of the variance
+    std::vector<LevelFunction> functions;
+    std::vector<PairModel> pairs;
+    std::vector<TripleModel> triples;
+
+private:
+    // A nested shuffle makes the pair (i, i XOR n) into any pair that parts at the same highest
+    // digit: those of a range [2^(m-1), 2^m), or of 0 alone.
+    static double sizeOfRange(unsigned m) { return m == 0 ? 1 : powerOfTwo(toInt(m) - 1); }
+    static double paddedProducts(const LevelFunction& f, unsigned m) {
+        return m == 0 ? f.sums[0] : f.sums[m] - f.sums[m - 1];
+    }
+    static double paddedMean(const LevelFunction& f, unsigned m) {
+        return f.squaredMean + paddedProducts(f, m) / sizeOfRange(m);
+    }
+};
+
+/// An edge at no particular angle across one coordinate of a domain and one of another: its
+/// spectrum as a sum of products, by Cholesky's decomposition.
+struct EdgeTerms {
+    static constexpr unsigned kCount = 5; // the rest has less than a thousandth of the variance
+    double weights[kCount];
+    double factors[kCount][kDigits + 1]; ///< by level
+};
+
+EdgeTerms decomposedEdge() {
+    EdgeTerms terms{};
     double rest[kDigits + 1][kDigits + 1];
     for (unsigned k = 0; k <= kDigits; ++k) {
         for (unsigned l = 0; l <= kDigits; ++l) rest[k][l] = edge(k, l);
     }
-    std::vector<Product> terms;
-    for (unsigned j = 0; j < kTerms; ++j) {
-        const double pivot = rest[j][j];
-        std::array<double, kDigits + 1> row{};
+    for (unsigned j = 0; j < EdgeTerms::kCount; ++j) {
+        const double pivot = terms.weights[j] = rest[j][j];
+        double* const row = terms.factors[j];
         for (unsigned k = j; k <= kDigits; ++k) row[k] = rest[j][k] / pivot;
         for (unsigned k = 0; k <= kDigits; ++k) {
             for (unsigned l = 0; l <= kDigits; ++l) rest[k][l] -= pivot * row[k] * row[l];
         }
-        const Spectrum1D spectrum = [row](unsigned k) { return row[k]; };
-        const LevelFunction first = ofFirst(spectrum), second = ofSecond(spectrum);
-        const auto half = static_cast<float>(pivot / 2);
-        terms.push_back({half, first, second});
-        terms.push_back({half, second, first});
     }
-    return pairModel(name, weight, std::move(terms), edge(0, 0));
+    return terms;
 }
 
-std::vector<PairModel> makePairModels() {
-    const LevelFunction smoothXY = levelFunction(smooth), edgeXY = levelFunction(edge);
-    const LevelFunction stepZ = levelFunctionZ(step1D), smoothZ = levelFunctionZ(smooth1D);
-    const FunctionOf ofX = [](const Spectrum1D& spectrum) { return levelFunctionX(spectrum); };
-    const FunctionOf ofZ = levelFunctionZ;
-    std::vector<PairModel> models{
-        square("smooth", 1, smoothXY, 1),
-        square("edge", 1.5f, edgeXY, 1),
-        square("box", 1, levelFunction(box), 1),
-        square("step", 1, levelFunction(step), 1),
-        edgeAcross("edge across", 1.5f, ofX, ofX),
-        square("step of z", 0.4f, stepZ, 1),
-        product("step of z x edge", 0.4f, stepZ, edgeXY),
-        product("smooth of z x smooth", 0.3f, smoothZ, smoothXY),
-        edgeAcross("edge across z", 0.4f, ofX, ofZ),
+using EdgeFunctions = std::array<std::size_t, EdgeTerms::kCount>;
+
+/// The factors of one coordinate, which ofX or ofZ chooses.
+template <typename OfAxis>
+EdgeFunctions addEdgeFunctions(Models& models, const EdgeTerms& edge, OfAxis ofAxis,
+                               unsigned split = 0) {
+    EdgeFunctions functions{};
+    for (unsigned j = 0; j < EdgeTerms::kCount; ++j) {
+        const double* const factor = edge.factors[j];
+        functions[j] = models.add(ofAxis([factor](unsigned k) { return factor[k]; }), split);
+    }
+    return functions;
+}
+
+std::vector<Product> across(const EdgeTerms& edge, const EdgeFunctions& first,
+                            const EdgeFunctions& second) {
+    std::vector<Product> terms;
+    for (unsigned j = 0; j < EdgeTerms::kCount; ++j) {
+        terms.push_back({edge.weights[j], first[j], second[j]});
+    }
+    return terms;
+}
+
+struct Weighted {
+    float weight;
+    std::string name;
+    std::size_t function;
+};
+
+Models makeModels() {
+    constexpr float kAlike = 1.5f, kUnlike = 0.3f; // products of functions of two draws
+    constexpr std::size_t kOfXY = 4; // the first draws below, whose squares matter most
+    constexpr float kEdgeAcross = 2, kEdgeAcrossZ = 0.3f, kBands = 1, kStripes = 1, kSplits = 0.35f,
+                    kTriples = 0.2f;
+    Models models;
+    const std::size_t smoothXY = models.add(ofXY(smooth)), edgeXY = models.add(ofXY(edge));
+    const std::vector<Weighted> draws{
+        {1, "smooth", smoothXY},
+        {1.2f, "edge", edgeXY},
+        {0.9f, "box", models.add(ofXY(box))},
+        {0.9f, "step", models.add(ofXY(step))},
+        {0.7f, "smooth of z", models.add(ofZ(smooth1D))},
+        {0.8f, "step of z", models.add(ofZ(step1D))},
+        {0.5f, "band of z",
+         models.add(ofZ([](unsigned k) { return k == 0 ? 0.25 : band1D(k, 2); }))},
+        {0.5f, "band", models.add(ofXY([](unsigned k, unsigned l) {
+             return k + l == 0 ? 0.25 : k == 0 || l == 0 ? 0.0 : band1D(k, 1) * band1D(l, 1);
+         }))},
+        {0.6f, "smooth of xyz", models.add(smooth3D)},
+        {0.6f, "edge of xyz", models.add(edge3D)},
+        {0.6f, "edge of two axes", models.add(edgeOfTwoAxes)},
     };
+    for (std::size_t a = 0; a < draws.size(); ++a) {
+        const auto& [weight, name, function] = draws[a];
+        models.addSquare(name, (a < kOfXY ? kAlike : 1) * weight * weight, function);
+        for (std::size_t b = 0; b < a; ++b) {
+            models.addBoth(name + " x " + draws[b].name, kUnlike * weight * draws[b].weight,
+                           {{1, function, draws[b].function}});
+        }
+    }
+    const EdgeTerms terms = decomposedEdge();
+    const auto alongX = [](const auto& of) { return ofX(of); };
+    const auto alongZ = [](const auto& of) { return ofZ(of); };
+    const EdgeFunctions x = addEdgeFunctions(models, terms, alongX);
+    const EdgeFunctions z = addEdgeFunctions(models, terms, alongZ);
+    models.addPair("edge across", kEdgeAcross, across(terms, x, x));
+    models.addBoth("edge across, of z", kEdgeAcrossZ, across(terms, x, z));
+    models.addPair("edge across, of z and z", kEdgeAcrossZ, across(terms, z, z));
     for (const auto& [p, q] :
          {std::pair(1u, 1u), std::pair(1u, 2u), std::pair(2u, 2u), std::pair(1u, 3u),
           std::pair(2u, 3u), std::pair(3u, 3u), std::pair(3u, 4u), std::pair(4u, 4u)}) {
-        models.push_back(square("band " + std::to_string(p) + ' ' + std::to_string(q), 0.5f,
-                                levelFunction(band(p, q)), kBandMean));
+        models.addSquare("band " + std::to_string(p) + ' ' + std::to_string(q), kBands,
+                         models.add(band(p, q)));
     }
     for (const unsigned p : {1u, 2u, 3u}) {
-        models.push_back(
-            square("stripes " + std::to_string(p), 0.4f, levelFunction(stripes(p)), kBandMean));
+        models.addSquare("stripes " + std::to_string(p), kStripes, models.add(stripes(p)));
     }
     for (const unsigned split : {1u, 2u, 4u}) {
         const std::string branches = " by " + std::to_string(1u << split);
-        // Smooth functions leave so little to 16 branches that single precision would not see it.
-        if (split < 4) {
-            models.push_back(product("smooth x smooth" + branches, 0.3f, smoothXY,
-                                     levelFunction(smooth, split)));
-        }
-        models.push_back(
-            product("edge x edge" + branches, 0.3f, edgeXY, levelFunction(edge, split)));
-        const FunctionOf ofSplitX = [split](const Spectrum1D& spectrum) {
-            return levelFunctionX(spectrum, split);
-        };
-        models.push_back(edgeAcross("edge across" + branches, 0.3f, ofX, ofSplitX));
+        models.addBoth("smooth x smooth" + branches, kSplits,
+                       {{1, smoothXY, models.add(ofXY(smooth), split)}});
+        models.addBoth("edge x edge" + branches, kSplits,
+                       {{1, edgeXY, models.add(ofXY(edge), split)}});
+        models.addBoth("edge across" + branches, kSplits,
+                       across(terms, x, addEdgeFunctions(models, terms, alongX, split)));
     }
+    const std::size_t stepZ = draws[5].function;
+    constexpr double kThird = 1.0 / 3;
+    models.addTriple("smooth^3", kTriples, {{1, smoothXY, smoothXY, smoothXY}});
+    models.addTriple("edge^3", kTriples, {{1, edgeXY, edgeXY, edgeXY}});
+    models.addTriple("step of z x edge^2", kTriples,
+                     {{kThird, stepZ, edgeXY, edgeXY},
+                      {kThird, edgeXY, stepZ, edgeXY},
+                      {kThird, edgeXY, edgeXY, stepZ}});
     return models;
 }
 
-TripleModel tripleModel(std::string name, float weight, std::vector<TripleProduct> terms) {
-    TripleModel model{std::move(name), weight, std::move(terms), 1, {}};
-    setPadded(model, [&](unsigned begin, unsigned end) {
-        double sum = 0;
-        for (const TripleProduct& term : model.terms) {
-            sum += double(term.weight) * (end - begin) * mean(term.first, begin, end) *
-                   mean(term.second, begin, end) * mean(term.third, begin, end);
-        }
-        return sum;
-    });
-    return model;
-}
-
-/// A function of z of any of the three slots times one of (x, y) of each of the others.
-TripleModel withZ(const std::string& name, float weight, const LevelFunction& z,
-                  const LevelFunction& xy) {
-    constexpr float kThird = 1.0f / 3;
-    return tripleModel(name, weight,
-                       {{kThird, z, xy, xy}, {kThird, xy, z, xy}, {kThird, xy, xy, z}});
-}
-
-std::vector<TripleModel> makeTripleModels() {
-    const LevelFunction smoothXY = levelFunction(smooth), edgeXY = levelFunction(edge);
-    return {tripleModel("smooth^3", 0.1f, {{1, smoothXY, smoothXY, smoothXY}}),
-            tripleModel("edge^3", 0.1f, {{1, edgeXY, edgeXY, edgeXY}}),
-            withZ("step of z x edge^2", 0.1f, levelFunctionZ(step1D), edgeXY)};
+const Models& models() {
+    static const Models all = makeModels();
+    return all;
 }
 
 } // namespace
 
-const std::vector<PairModel>& pairModels() {
-    static const std::vector<PairModel> models = makePairModels();
-    return models;
+const std::vector<LevelFunction>& levelFunctions() { return models().functions; }
+const std::vector<PairModel>& pairModels() { return models().pairs; }
+const std::vector<TripleModel>& tripleModels() { return models().triples; }
+
+Standard standardOf(std::size_t slot) {
+    if (slot < 4) return {4, 1.0f};
+    if (slot < 8) return {2, 1.1f};
+    return {1, 1.35f};
 }
 
-const std::vector<TripleModel>& tripleModels() {
-    static const std::vector<TripleModel> models = makeTripleModels();
-    return models;
-}
-
-float price(float squaredRatio) {
+float price(float squaredRatio, const Standard& standard) {
     const float ratio = std::sqrt(std::max(squaredRatio, 0.0f));
-    const float excess = std::max(ratio - kTolerance, 0.0f);
-    return ratio + 2 * excess + 10 * excess * excess;
+    const float excess = std::max(ratio - standard.tolerance, 0.0f);
+    return standard.weight * (ratio + 2 * excess + 10 * excess * excess);
 }
 
-std::array<double, kDigits + 1> squaredRatios(const PairModel& model,
-                                              const std::vector<uint16_t>& first,
-                                              const std::vector<uint16_t>& second) {
-    std::array<double, kDigits + 1> ratios{};
-    double sum = 0;
-    for (unsigned m = 0, n = 0; m <= kDigits; ++m) {
-        for (; n < 1u << m; ++n) {
-            for (const Product& term : model.terms) {
-                sum += double(term.weight * term.first[first[n]] * term.second[second[n]]);
-            }
+ByDigits squaredRatios(const PairModel& model, const std::vector<uint16_t>& first,
+                       const std::vector<uint16_t>& second) {
+    ByDigits ratios = model.apart;
+    for (const Product& term : model.terms) {
+        const std::vector<float>& f = levelFunctions()[term.first].varying;
+        const std::vector<float>& g = levelFunctions()[term.second].varying;
+        double sum = 0;
+        for (unsigned m = 0, n = 0; m <= kDigits; ++m) {
+            for (; n < 1u << m; ++n) sum += double(f[first[n]]) * double(g[second[n]]);
+            ratios[m] += term.weight * sum;
         }
-        ratios[m] =
-            (std::ldexp(sum, -toInt(m)) - double(model.squaredMean)) / double(model.padded[m]);
     }
+    for (unsigned m = 0; m <= kDigits; ++m) ratios[m] /= model.padded[m];
     return ratios;
 }
 

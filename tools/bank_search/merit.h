@@ -1,63 +1,81 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is asked of a bank: for several kinds of functions of two domains, the error with N points,
-// N = 8, 16, ..., 4096, as a ratio to that of padding, which orders the domains by independent
-// nested shuffles. All of it is exact arithmetic on level functions; no sample is drawn.
+// What is asked of a bank: for several kinds of functions of two and three domains, the error with
+// N points, N = 8, 16, ..., 65536, as a ratio to that of padding, which orders the domains by
+// independent nested shuffles. All of it is exact arithmetic on level functions; no sample is
+// drawn.
 
 #pragma once
 
 #include "bank_search/level_function.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace wellstrat::bank {
 
-/// One term of a sum of products of a function of one slot and one of another.
-struct Product {
-    float weight;
-    LevelFunction first, second;
+/// The first N that counts is 2^kFirstDigits: with fewer points all banks are alike.
+constexpr unsigned kFirstDigits = 3;
+
+/// All level functions that models are made of; models have their numbers.
+const std::vector<LevelFunction>& levelFunctions();
+
+/// What is asked of slots.
+struct Standard {
+    float weight;    ///< of the price
+    float tolerance; ///< ratios above are expensive
 };
 
-/// A kind of functions of two domains. Symmetric in the domains.
+/// A term of a sum of products of a function of one slot and one of another.
+struct Product {
+    double weight;
+    std::size_t first, second;
+};
+
+/// A kind of functions of two domains, of which the first is drawn from one slot and the second
+/// from another. Those that are not symmetric have a model for either direction.
 struct PairModel {
     std::string name;
-    float weight; ///< in the merit
+    float weight; ///< of the price
     std::vector<Product> terms;
-    float squaredMean;
-    /// The variance of the mean of 2^m padded points.
-    std::array<float, kDigits + 1> padded;
+    /// 2^m times the variance of the mean of 2^m points, but for the sums of the products of what
+    /// varies, which depend on the bank.
+    ByDigits apart;
+    ByDigits padded; ///< the same with the sums that padding has
 };
 
 /// A term of a sum of products of functions of three slots.
 struct TripleProduct {
-    float weight;
-    LevelFunction first, second, third;
+    double weight;
+    std::size_t first, second, third;
 };
 
 /// A kind of functions of three domains. Symmetric in the first one and each of the others.
 struct TripleModel {
     std::string name;
-    float weight;
+    float weight; ///< of the price
     std::vector<TripleProduct> terms;
-    float squaredMean;
-    std::array<float, kDigits + 1> padded;
+    double squaredMean;
+    ByDigits padded; ///< 2^m times the variance
 };
 
 const std::vector<PairModel>& pairModels();
 const std::vector<TripleModel>& tripleModels();
 
-/// The price of a squared error ratio: the ratio itself, and steeply more above kTolerance.
-float price(float squaredRatio);
-constexpr float kTolerance = 1.1f;
+/// The price of a squared error ratio: the ratio, and steeply more above what is tolerated.
+float price(float squaredRatio, const Standard& standard);
 
-/// The first N that counts is 2^kFirstDigits: with fewer points all banks are alike.
-constexpr unsigned kFirstDigits = 3;
+/// What pairs and triples whose largest number is `slot` are held to.
+Standard standardOf(std::size_t slot);
+
+/// The weight of the price for 2^digits points: with few points little can be had, and much be
+/// spoilt for more.
+constexpr float weightOfDigits(unsigned digits) {
+    return digits < kFirstDigits ? 0.0f : digits < 6 ? 0.3f : 1.0f;
+}
 
 /// The squared error ratio of a pair of slots at 2^m points, for m in [0, kDigits].
-std::array<double, kDigits + 1> squaredRatios(const PairModel& model,
-                                              const std::vector<uint16_t>& first,
-                                              const std::vector<uint16_t>& second);
+ByDigits squaredRatios(const PairModel& model, const std::vector<uint16_t>& first,
+                       const std::vector<uint16_t>& second);
 
 } // namespace wellstrat::bank

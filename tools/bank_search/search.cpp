@@ -1,113 +1,110 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bank_search/search.h"
 
+#include "bank_search/column_choice.h"
+
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace wellstrat::bank {
 namespace {
 
-constexpr float kDisorder = 0.02f;
-constexpr std::size_t kMostMoved = 4;
+struct Ranked {
+    double price; ///< of all columns
+    PartialBank bank;
+};
 
-Columns identity() {
-    Columns columns{};
-    for (unsigned k = 0; k < kDigits; ++k) columns[k] = static_cast<uint16_t>(1u << k);
-    return columns;
+/// A bank with one column more, still to be made.
+struct Candidate {
+    double price;
+    std::size_t parent;
+    std::vector<uint16_t> column;
+};
+
+/// How many banks are kept with so many columns: the same for all up to 64 points, as early columns
+/// decide most, then half for each column more.
+std::size_t widthOf(std::size_t width, unsigned digits) {
+    if (digits > kTableSizeLog2) return 2;
+    const unsigned halvings = digits > 6 ? digits - 6 : 0;
+    return std::max<std::size_t>(width >> halvings, width / 32 + 2);
 }
 
-/// What the slots from `first` on cost, each beside those before it.
-double priceFrom(const Bank& bank, std::size_t first) {
-    double total = 0;
-    for (std::size_t i = first; i < bank.size(); ++i) {
-        const auto end = bank.begin() + static_cast<std::ptrdiff_t>(i) + 1;
-        total += slotPrice({bank.begin(), end}, i);
+/// Drops those that cost the same as one before: other ways to write the same bank.
+void keepCheapest(std::vector<Candidate>& candidates, std::size_t count) {
+    std::stable_sort(candidates.begin(), candidates.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.price < b.price; });
+    constexpr double kSame = 1e-6;
+    const auto end = std::unique(
+        candidates.begin(), candidates.end(),
+        [](const Candidate& a, const Candidate& b) { return b.price - a.price < kSame * a.price; });
+    candidates.erase(end, candidates.end());
+    if (candidates.size() > count) candidates.resize(count);
+}
+
+std::vector<Ranked> withNextColumn(const std::vector<Ranked>& beam, const Bank& fixed,
+                                   const SearchOptions& options, std::size_t width,
+                                   std::mt19937& random) {
+    const unsigned digits = beam[0].bank.digits() + 1;
+    if (digits <= 2) { // no choice: the other second column is that of P U
+        return {{0, beam[0].bank.extended(std::vector<uint16_t>(beam[0].bank.slots()))}};
     }
-    return total;
-}
-
-/// What a pair of slots costs.
-double pairPrice(const Columns& first, const Columns& second) {
-    const auto firstOrder = orderOf(first), secondOrder = orderOf(second);
-    double total = 0;
-    for (const PairModel& model : pairModels()) {
-        const auto ratios = squaredRatios(model, firstOrder, secondOrder);
-        for (unsigned m = kFirstDigits; m <= kDigits; ++m) {
-            total += double(model.weight * price(static_cast<float>(ratios[m])));
+    const double weight = double(weightOfDigits(digits));
+    const std::size_t kept = std::max<std::size_t>(2, 2 * width / beam.size());
+    std::vector<uint32_t> seeds;
+    for (std::size_t i = 0; i < beam.size(); ++i) seeds.push_back(static_cast<uint32_t>(random()));
+    std::vector<std::vector<ColumnChoice>> choices(beam.size());
+    tbb::parallel_for(std::size_t{0}, beam.size(), [&](std::size_t i) {
+        std::mt19937 own(seeds[i]);
+        choices[i] = chooseColumns(beam[i].bank, fixed, {options.attempts, kept}, own);
+    });
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < beam.size(); ++i) {
+        for (ColumnChoice& choice : choices[i]) {
+            candidates.push_back(
+                {beam[i].price + weight * choice.price, i, std::move(choice.column)});
         }
     }
-    return total;
+    keepCheapest(candidates, width);
+    std::vector<Ranked> next(candidates.size(), {0, PartialBank(0)});
+    tbb::parallel_for(std::size_t{0}, next.size(), [&](std::size_t i) {
+        const Ranked& parent = beam[candidates[i].parent];
+        PartialBank bank = parent.bank.extended(candidates[i].column);
+        next[i] = {parent.price + weight * bank.price(), std::move(bank)};
+    });
+    std::stable_sort(next.begin(), next.end(),
+                     [](const Ranked& a, const Ranked& b) { return a.price < b.price; });
+    return next;
 }
 
-/// The slot from `first` on that has the most expensive pair.
-std::size_t worstSlot(const Bank& bank, std::size_t first) {
-    std::size_t worst = first;
-    double highest = 0;
-    for (std::size_t i = first; i < bank.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const double price = pairPrice(bank[i], bank[j]);
-            if (price > highest) {
-                highest = price;
-                worst = i;
-            }
-        }
-    }
-    return worst;
+Bank identity() {
+    Bank bank(1);
+    for (unsigned k = 0; k < kDigits; ++k) bank[0][k] = static_cast<uint16_t>(1u << k);
+    return bank;
 }
 
-/// The numbers from `first` to `end` in random order.
-std::vector<std::size_t> shuffled(std::size_t first, std::size_t end, std::mt19937& random) {
-    std::vector<std::size_t> numbers(end - first);
-    std::iota(numbers.begin(), numbers.end(), first);
-    for (std::size_t i = numbers.size(); i > 1; --i)
-        std::swap(numbers[i - 1], numbers[random() % i]);
-    return numbers;
-}
-
-/// Takes some slots from `first` on out, every other time that with the worst pair among them, and
-/// looks for better ones in their place.
-void improve(Bank& bank, std::size_t first, unsigned width, std::mt19937& random) {
-    std::vector<std::size_t> moved = shuffled(first, bank.size(), random);
-    if (random() % 2 == 0) {
-        std::swap(*std::find(moved.begin(), moved.end(), worstSlot(bank, first)), moved.front());
-    }
-    moved.resize(1 + random() % std::min(kMostMoved, moved.size()));
-    Bank kept;
-    for (std::size_t i = 0; i < bank.size(); ++i) {
-        if (std::find(moved.begin(), moved.end(), i) == moved.end()) kept.push_back(bank[i]);
-    }
-    Bank before = kept, after = kept;
-    for (const std::size_t number : moved) {
-        before.push_back(bank[number]);
-        after.push_back(bestSlot(after, static_cast<unsigned>(number), {width, kDisorder}, random));
-    }
-    if (priceFrom(after, kept.size()) >= priceFrom(before, kept.size())) return;
-    for (std::size_t i = 0; i < moved.size(); ++i) bank[moved[i]] = after[kept.size() + i];
-}
-
-/// The time of a round grows with the square of the number of slots. `last` is the largest number.
-double shareDone(std::size_t before, std::size_t size, std::size_t last, double shareOfSize) {
+/// The time that a step takes grows with the square of the number of slots. `last` is the largest.
+double shareDone(std::size_t before, std::size_t size, std::size_t last, double shareOfStep) {
     const auto squared = [](std::size_t count) { return static_cast<double>(count * count); };
-    return (squared(before) + shareOfSize * (squared(size) - squared(before))) / squared(last);
+    return (squared(before) + shareOfStep * (squared(size) - squared(before))) / squared(last);
 }
 
 } // namespace
 
 Bank searchBank(const SearchOptions& options, const std::function<void(double)>& progress) {
-    std::mt19937 random(options.seed);
-    Bank bank{identity()};
-    std::size_t last = 2;
-    while (last < options.slots) last *= 2;
-    for (std::size_t size = 2; size <= last; size *= 2) {
-        const std::size_t first = bank.size();
-        while (bank.size() < size) {
-            const auto number = static_cast<unsigned>(bank.size());
-            bank.push_back(bestSlot(bank, number, {options.width, 0}, random));
+    const std::size_t last = *std::lower_bound(kSteps.begin(), kSteps.end(), options.slots);
+    Bank bank = identity();
+    for (std::size_t step = 0; bank.size() < options.slots; ++step) {
+        std::mt19937 random(options.seed);
+        const std::size_t width = std::max(1u, options.width >> 2 * step);
+        std::vector<Ranked> beam{{0, PartialBank(kSteps[step])}};
+        for (unsigned digits = 1; digits <= options.digits; ++digits) {
+            beam = withNextColumn(beam, bank, options, widthOf(width, digits), random);
+            progress(shareDone(step == 0 ? 0 : bank.size(), kSteps[step], last,
+                               double(digits) / options.digits));
         }
-        for (unsigned round = 0; round < options.rounds; ++round) {
-            improve(bank, first, options.width, random);
-            progress(shareDone(first, size, last, (round + 1.0) / options.rounds));
-        }
+        bank = beam[0].bank.bank();
     }
     bank.resize(options.slots);
     return bank;

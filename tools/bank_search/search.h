@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bank of slots: 2, then 4, 8 and 16 of them, so that fewer slots are better ones.
+// A bank of slots: 8, then 16 of them, so that fewer slots are better ones. Each time the
+// columns of all new slots are chosen together, one column after the other, by a beam search.
 
 #pragma once
 
-#include "bank_search/insertion.h"
+#include "bank_search/partial_bank.h"
 
+#include <array>
 #include <functional>
 
 namespace wellstrat::bank {
 
+/// How many slots are there after each step of the search.
+constexpr std::array<std::size_t, 2> kSteps{8, 16};
+
 struct SearchOptions {
-    uint32_t seed = 1;
-    unsigned rounds = 150;  ///< of improvement, at each size
-    std::size_t slots = 16; ///< the first so many, at least 2; they do not depend on the others
-    unsigned width = 2;     ///< of the beam
+    uint32_t seed = 2;
+    unsigned width = 1000;     ///< of the beam for up to 64 points
+    unsigned attempts = 100;   ///< to improve one column of one bank
+    unsigned digits = kDigits; ///< columns; at least 1. Those beyond are zero
+    std::size_t slots = 16;    ///< the first so many, at least 2; they do not depend on the others
 };
 
 /// A bank of `slots` slots, of which slot 0 is the identity. The same for the same options on every

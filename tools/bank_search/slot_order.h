@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "wellstrat/joint_bank.h"
 #include "wellstrat/tables.h"
 
 #include <array>
@@ -12,8 +13,8 @@
 
 namespace wellstrat::bank {
 
-constexpr unsigned kDigits = kTableSizeLog2;
-constexpr unsigned kPoints = kTableSize;
+constexpr unsigned kDigits = kJointBankDigits;
+constexpr unsigned kPoints = 1u << kDigits;
 
 /// A unit upper triangular matrix over GF(2): column k is the image of index bit k. It has bit k
 /// and no higher one, so that [0, 2^m) is mapped onto itself for each m.
@@ -27,9 +28,10 @@ inline void appendColumn(std::vector<uint16_t>& order, uint16_t column) {
     }
 }
 
-inline std::vector<uint16_t> orderOf(const Columns& columns) {
+/// The images of the first 2^digits indices.
+inline std::vector<uint16_t> orderOf(const Columns& columns, unsigned digits = kDigits) {
     std::vector<uint16_t> order{0};
-    for (const uint16_t column : columns) appendColumn(order, column);
+    for (unsigned k = 0; k < digits; ++k) appendColumn(order, columns[k]);
     return order;
 }
 

@@ -17,6 +17,7 @@ namespace {
 constexpr double kShareOfOne = 4;
 
 double squareOf(double x) { return x * x; }
+double cubeOf(double x) { return x * x * x; }
 
 Visits visitsOf(const RankBank& bank, std::size_t slot) {
     return ranks::visitsOf(static_cast<unsigned>(slot), bank[slot]);
@@ -34,8 +35,8 @@ std::vector<Partner> partnersOf(const RankBank& bank, std::size_t slot, const We
     double total = 0;
     for (std::size_t d = 0; d < bank.size(); ++d) {
         if (d == slot) continue;
-        partners.push_back({visitsOf(bank, d), slotWeight(d), 1});
-        total += slotWeight(d);
+        partners.push_back({visitsOf(bank, d), weightForColumns(d), 1});
+        total += weightForColumns(d);
         if (slot >= bank.size()) continue;
         partners.back().merit = merit(
             weights, covarianceOf(sumsOfPairs(), visitsOf(bank, slot), partners.back().visits));
@@ -66,8 +67,8 @@ void addFactors(const Sums& sums, double share, const Visits& other, const Weigh
 Factors factorsOf(const RankBank& bank, std::size_t slot, const Weights& weights) {
     Factors factors(functions().size());
     for (const Partner& partner : partnersOf(bank, slot, weights)) {
-        addFactors(sumsOfPairs(), 2 * partner.merit * partner.share, partner.visits, weights,
-                   &factors);
+        addFactors(sumsOfPairs(), 3 * squareOf(partner.merit) * partner.share, partner.visits,
+                   weights, &factors);
     }
     return factors;
 }
@@ -146,25 +147,26 @@ std::size_t widthAfter(unsigned k) { return std::clamp(1024u >> k, 4u, 64u); }
 
 } // namespace
 
-double slotWeight(std::size_t slot) { return std::exp2(-0.25 * static_cast<double>(slot)); }
+double weightForColumns(std::size_t slot) { return std::exp2(-static_cast<double>(slot) / 8); }
+double weightForTile(std::size_t slot) { return std::exp2(-static_cast<double>(slot) / 2); }
 
 Covariance covarianceOfSlots(const RankBank& bank) {
     std::vector<Visits> visits;
     for (std::size_t d = 0; d < bank.size(); ++d) visits.push_back(visitsOf(bank, d));
     Covariance result(kRanks);
-    const auto tileWeight = [](std::size_t slot) { return squareOf(slotWeight(slot)); };
     double ofSlots = 0, ofPairs = 0;
     for (std::size_t a = 0; a < bank.size(); ++a) {
-        ofSlots += tileWeight(a);
-        for (std::size_t b = 0; b < a; ++b) ofPairs += tileWeight(a) * tileWeight(b);
+        ofSlots += weightForTile(a);
+        for (std::size_t b = 0; b < a; ++b) ofPairs += weightForTile(a) * weightForTile(b);
     }
     const auto add = [&](double weight, const Covariance& covariance) {
         for (std::size_t r = 0; r < kRanks; ++r) result[r] += weight * covariance[r];
     };
     for (std::size_t a = 0; a < bank.size(); ++a) {
-        add(kShareOfOne * tileWeight(a) / ofSlots, covarianceOf(sumsOfOne(), visits[a], visits[a]));
+        add(kShareOfOne * weightForTile(a) / ofSlots,
+            covarianceOf(sumsOfOne(), visits[a], visits[a]));
         for (std::size_t b = 0; b < a; ++b) {
-            add(tileWeight(a) * tileWeight(b) / ofPairs,
+            add(weightForTile(a) * weightForTile(b) / ofPairs,
                 covarianceOf(sumsOfPairs(), visits[a], visits[b]));
         }
     }
@@ -174,7 +176,7 @@ Covariance covarianceOfSlots(const RankBank& bank) {
 double slotPrice(const RankBank& bank, std::size_t slot, const Weights& weights) {
     double price = 0;
     for (const Partner& partner : partnersOf(bank, slot, weights)) {
-        price += partner.share * squareOf(partner.merit);
+        price += partner.share * cubeOf(partner.merit);
     }
     return price;
 }

@@ -20,16 +20,16 @@ namespace wellstrat::ranks {
 /// invertible block: aligned runs of 4^a ranks are mapped to aligned runs.
 using RankBank = std::vector<RankColumns>;
 
-/// What slot d counts in the search for columns: lower slots more. The weight of a pair is the
-/// product. In that for a tile, the square of it.
-double slotWeight(std::size_t slot);
+/// What slots count, lower ones more; the weight of a pair is the product.
+double weightForColumns(std::size_t slot);
+double weightForTile(std::size_t slot);
 
 /// The covariance of all functions of one and of two slots, weighted, for a tile.
 Covariance covarianceOfSlots(const RankBank& bank);
 
-/// What is sought to be low: the squares of the merits of the slot and each of the others,
-/// weighted. The square makes a bad pair dear. (Functions of one slot do not take part: for random
-/// tiles, all columns are alike to them.)
+/// What is sought to be low: the cubes of the merits of the slot and each of the others, weighted.
+/// A cube makes a bad pair dear. (Functions of one slot do not take part: for random tiles, all
+/// columns are alike to them.)
 double slotPrice(const RankBank& bank, std::size_t slot, const Weights& weights);
 
 /// The columns of slot `slot` with the lowest price that the search finds, beside all others of the
