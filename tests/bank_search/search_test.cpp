@@ -200,7 +200,7 @@ TEST(BankSearch, IsReproducibleAndSeedsDiffer) {
     SearchOptions options = quickSearch();
     const Bank bank = searchBank(options, [](double) {});
     EXPECT_EQ(searchBank(options, [](double) {}), bank);
-    options.seed = 2;
+    ++options.seed;
     EXPECT_NE(searchBank(options, [](double) {}), bank);
 }
 

@@ -14,7 +14,7 @@ ROW = re.compile(r"(?m)^ +\{(0x[^}]*)\},$")
 
 def without_rows(header):
     """The header but for its columns and the number of slots."""
-    return re.sub(r"kJointBank\[\d+\]", "kJointBank[]", ROW.sub("", header))
+    return re.sub(r"kJointBank\[\d+\]", "kJointBank[]", re.sub(ROW.pattern + r"\n", "", header))
 
 
 class BankTest(CliTest):
