@@ -26,11 +26,12 @@ inline namespace stream1 {
 ///
 /// How a domain draws whose RixRNG has this generator, by its order (order.h):
 ///
-///     by jointScramble(slot)           in the order of the slot (sequence_slots.h); others:
-///     shuffled split by n                       as above, if all splits make up 1 to
-///     kMaxJointSplit branches otherwise, and by distribution   shuffled, and so do all its
-///     children RixRNG(parent, indices, n, contexts)      as its parent, some points of which it is
-///     RixRNG(parent, contexts, n)               shuffled
+///     by jointScramble(slot)           from the slot (sequence_slots.h); by another: shuffled
+///     split by n                       as above, if all splits make up 1 to kMaxJointSplit
+///     branches otherwise               shuffled, and so do all its children
+///     by distribution                  shuffled, and so do all its children
+///     RixRNG(parent, indices, n, ctx)  as its parent, some points of which it is
+///     RixRNG(parent, contexts, n)      shuffled
 ///
 /// A slot alone keeps every promise, under splits by a power of two at least. Without a RixRNG, as
 /// by Sample2D(context, 0), samples are shuffled. An order that deriveOrder never gives ends the

@@ -12,4 +12,6 @@ execute_process(COMMAND_ERROR_IS_FATAL ANY
     -c ${SOURCE_DIR}/golden_check.cpp -o ${object})
 execute_process(COMMAND_ERROR_IS_FATAL ANY
   COMMAND ${CXX} ${FLAGS} ${object} ${LIBRARY} -Wl,-rpath,${library_dir} -o ${PROGRAM})
-execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND ${PROGRAM} ${SOURCE_DIR}/samples.txt ${SOURCE_DIR}/joint.txt)
+execute_process(COMMAND_ERROR_IS_FATAL ANY
+  COMMAND ${PROGRAM} ${SOURCE_DIR}/samples.txt ${SOURCE_DIR}/joint.txt ${SOURCE_DIR}/long.txt
+    ${SOURCE_DIR}/blue.txt)
