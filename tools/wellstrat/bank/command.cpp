@@ -31,9 +31,10 @@ search that takes some minutes and gives the same bank on every machine. What it
 tools/bank_search/merit.h.
 
 With --judge, nothing is searched. Instead, the slots in the library are judged: for products of two
-integrands, each a function of the 1D, 2D or 3D sample of one slot, the error with N points over that
-of padded domains, over all pairs of slots and both directions: the mean, the worst, and the pair of
-slots that has it. Exact, as no sample is drawn.
+integrands, each a function of the 1D, 2D or 3D sample of one slot, the error with N points over
+that of padded domains, over all pairs of slots and both directions: the mean, the worst, and the
+pair of slots that has it. Exact, as no sample is drawn. A*B is A of one slot times B of the other,
+A alone is A*A. Without --integrands: all products of what `study` has, which takes minutes.
 
 Examples:
   wellstrat bank --slots 4
@@ -100,10 +101,8 @@ void addBank(CLI::App& app, int& /*exitCode*/) {
             ->excludes(seed)
             ->excludes(width);
     command
-        ->add_option(
-            "--integrands", options->integrands,
-            "With --judge: A,B*C,... for A(slot) A(other slot), B(slot) C(other slot) [all "
-            "products of all of study, by the dimensions drawn]")
+        ->add_option("--integrands", options->integrands,
+                     "With --judge: A,B*C,..., products of two slots [all]")
         ->delimiter(',')
         ->type_name("NAMES")
         ->needs(judge);
