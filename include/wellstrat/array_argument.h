@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <type_traits>
-#include <utility>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -18,6 +17,10 @@ namespace detail {
 /// Says in one line that an array is too small, and ends the program.
 [[noreturn]] WELLSTRAT_API void endForSmallArray(const char* function, std::size_t size,
                                                  std::size_t needed);
+
+/// std::declval, whose header is long.
+template <class T>
+T valueOf();
 
 } // namespace detail
 
@@ -36,9 +39,9 @@ class ArrayArgument {
     using Given = std::conditional_t<std::is_lvalue_reference<Container>::value, Container,
                                      const std::remove_reference_t<Container>&>;
     template <class Container>
-    using Element = std::remove_pointer_t<decltype(std::declval<Given<Container>>().data())>;
+    using Element = std::remove_pointer_t<decltype(detail::valueOf<Given<Container>>().data())>;
     template <class Container>
-    using Size = decltype(std::declval<Given<Container>>().size());
+    using Size = decltype(detail::valueOf<Given<Container>>().size());
     /// No derived classes, of which the second does not stand where the second T would.
     template <class Container>
     using IfContainer =
