@@ -8,6 +8,7 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace wellstrat::cli {
 namespace {
@@ -85,33 +86,47 @@ void measureSpectrum(const MeasuredSet& set, PlaneSpectrum& spectrum) {
 
 using Tasks = std::vector<std::function<void()>>;
 
-void addNetTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
+void addNetTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (!isPowerOfTwo(points.count())) return;
     for (Projection& projection : netProjections(points.dims())) {
-        result.nets.push_back({std::move(projection), 0, {}, {}});
+        found.nets.push_back({std::move(projection), 0, {}, {}});
     }
-    for (NetQuality& net : result.nets) tasks.push_back([&] { measureNet(points, net); });
+    for (NetQuality& net : found.nets) tasks.push_back([&] { measureNet(points, net); });
 }
 
-void addDiscrepancyTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
-    if (points.count() <= kMaxSquarePoints) {
-        for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
-            tasks.push_back([&, k] { result.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); });
-        }
-    }
-    if (points.dims() <= kMaxStarDimensions) {
-        tasks.push_back([&] { result.star = starDiscrepancy(points, kStarWork / points.count()); });
+void addL2Tasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
+    if (points.count() > kMaxSquarePoints) return;
+    for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
+        tasks.push_back([&, k] { found.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); });
     }
 }
 
-void addGeometryTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
-    tasks.push_back([&] { result.onCube = nearestDistances(points, Topology::cube); });
-    tasks.push_back([&] { result.onTorus = nearestDistances(points, Topology::torus); });
+void addStarTask(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
+    if (points.dims() > kMaxStarDimensions) return;
+    tasks.push_back([&] { found.star = starDiscrepancy(points, kStarWork / points.count()); });
+}
+
+void addDistanceTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
+    tasks.push_back([&] { found.onCube = nearestDistances(points, Topology::cube); });
+    tasks.push_back([&] { found.onTorus = nearestDistances(points, Topology::torus); });
+}
+
+void addPairTask(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (points.dims() > kMaxPairDimensions || points.count() < 2) return;
     tasks.push_back([&] {
         const double range = usualPairRange(points.count(), points.dims());
-        result.pairs = pairCorrelation(points, range, kPairBins);
+        found.pairs = pairCorrelation(points, range, kPairBins);
     });
+}
+
+/// What is measured of each set. Those that take longest come first.
+void addSetTasks(const UnitPoints& points, const MeasureChoice& choice, SetMeasures& found,
+                 Tasks& tasks) {
+    if (choice.star) addStarTask(points, found, tasks);
+    if (choice.l2) addL2Tasks(points, found, tasks);
+    if (choice.nets) addNetTasks(points, found, tasks);
+    if (choice.pairs) addPairTask(points, found, tasks);
+    if (choice.distances) addDistanceTasks(points, found, tasks);
 }
 
 void addSpectrumTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
@@ -140,6 +155,19 @@ void addIndependenceTasks(const MeasuredSet& set, Measures& result, Tasks& tasks
     }
 }
 
+/// A task for each set, one after the other of its measures in it.
+void addNamedSetTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
+    for (const std::string& name : set.names) result.sets.push_back({name, {}});
+    for (std::size_t r = 0; r < result.sets.size(); ++r) {
+        tasks.push_back([&, r] {
+            const UnitPoints points = set.points(r);
+            Tasks ofSet;
+            addSetTasks(points, result.choice, result.sets[r].found, ofSet);
+            for (const std::function<void()>& task : ofSet) task();
+        });
+    }
+}
+
 } // namespace
 
 std::string projectionName(const Projection& projection, unsigned dims) {
@@ -151,19 +179,25 @@ std::string projectionName(const Projection& projection, unsigned dims) {
     return projection.size() == 1 ? name : "(" + name + ")";
 }
 
-Measures measure(const MeasuredSet& set) {
+Measures measure(const MeasuredSet& set, const MeasureChoice& choice,
+                 const std::function<void(double)>& progress) {
     const UnitPoints points = set.points(0);
     Measures result{};
+    result.choice = choice;
     result.count = points.count();
     result.realizations = set.realizations;
     result.dims = points.dims();
     Tasks tasks;
-    addDiscrepancyTasks(points, result, tasks);
-    addSpectrumTasks(set, result, tasks);
-    addNetTasks(points, result, tasks);
-    addGeometryTasks(points, result, tasks);
-    addIndependenceTasks(set, result, tasks);
-    tbb::parallel_for_each(tasks, [](const std::function<void()>& task) { task(); });
+    if (set.names.empty()) addSetTasks(points, choice, result, tasks);
+    if (choice.spectra) addSpectrumTasks(set, result, tasks);
+    addNamedSetTasks(set, result, tasks);
+    if (choice.independence) addIndependenceTasks(set, result, tasks);
+    std::atomic<std::size_t> done{0};
+    tbb::parallel_for_each(tasks, [&](const std::function<void()>& task) {
+        task();
+        if (progress) progress(static_cast<double>(++done) / static_cast<double>(tasks.size()));
+    });
+    if (!result.sets.empty()) static_cast<SetMeasures&>(result) = result.sets.front().found;
     return result;
 }
 

@@ -40,11 +40,11 @@ private:
         const std::size_t count = table.pointsEach();
         const unsigned dims = table.points.dims;
         numbers_ += table.points.values.size();
-        if (numbers_ > kMaxPatternNumbers || streams_.size() + table.patterns > kMaxRealizations) {
+        if (numbers_ > kMaxFileNumbers || streams_.size() + table.patterns > kMaxRealizations) {
             throw CliError(
                 fmt::format("'{}': has, with the files before, more than {} patterns or "
                             "{} numbers, which is as many as are measured",
-                            name, kMaxRealizations, kMaxPatternNumbers));
+                            name, kMaxRealizations, kMaxFileNumbers));
         }
         if (!streams_.empty()) {
             const SampleStream& first = streams_.front();
@@ -147,6 +147,7 @@ Subject fileSubject(const PointFiles& files) {
     subject.set.points = [patterns](std::size_t r) { return (*patterns)[r].points; };
     subject.set.realizations = patterns->size();
     if (patterns->size() > 1) {
+        for (const SampleStream& pattern : *patterns) subject.set.names.push_back(pattern.name);
         subject.set.families.emplace_back("patterns", firstStreams(*patterns));
     }
     if (!files.domains.empty()) {
@@ -172,6 +173,7 @@ Subject generatorSubject(const GeneratedPoints& generated, const PointSource& so
                  return points(first + static_cast<uint32_t>(r));
              },
              generated.realizations,
+             {},
              {{"patterns", std::move(patterns)},
               {"pixels and frames", std::move(pixels)},
               {"domains", std::move(drawer.domains)}}}};
