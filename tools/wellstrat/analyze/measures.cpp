@@ -95,6 +95,15 @@ void addNetTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
 }
 
 void addL2Tasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
+    if (points.dims() <= kMaxFastL2Dimensions) {
+        tasks.push_back([&] {
+            std::vector<L2Kind> kinds;
+            for (const NamedL2& named : kL2Kinds) kinds.push_back(named.kind);
+            const std::vector<double> values = l2Discrepancies(points, kinds);
+            std::copy(values.begin(), values.end(), found.l2.begin());
+        });
+        return;
+    }
     if (points.count() > kMaxSquarePoints) return;
     for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
         tasks.push_back([&, k] { found.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); });

@@ -19,8 +19,9 @@
 
 namespace wellstrat::cli {
 
-/// The measures that take longest are left out beyond this: L2 discrepancies, whose time grows with
-/// the square of the number of points, and t of all aligned blocks.
+/// The measures that take longest are left out beyond this: L2 discrepancies in more than three
+/// dimensions, whose time grows with the square of the number of points, and t of all aligned
+/// blocks.
 constexpr std::size_t kMaxSquarePoints = std::size_t{1} << 17;
 
 /// What to measure.
