@@ -15,8 +15,9 @@ namespace {
 
 constexpr unsigned kPairBins = 48;
 constexpr std::size_t kWorstPairs = 5;
-/// Steps of the search for the star discrepancy in 3D, which takes some seconds for them.
-constexpr std::size_t kStarWork = std::size_t{1} << 21;
+/// Steps of the search for the star discrepancy in 3D, which takes some seconds for them, and the
+/// least number of sweeps of all points, however many there are.
+constexpr std::size_t kStarWork = std::size_t{1} << 21, kMinStarSweeps = 32;
 /// Values that the periodograms of all projections may have.
 constexpr std::size_t kSpectrumValues = std::size_t{1} << 24;
 
@@ -61,7 +62,8 @@ PointSet netPoints(const UnitPoints& points, const Projection& projection) {
 void measureNet(const UnitPoints& points, NetQuality& net) {
     const PointSet set = netPoints(points, net.projection);
     net.t = tValue(set);
-    if (set.count() <= kMaxSquarePoints) net.sequenceT = tValueOfSequence(set);
+    if (points.dims() <= kMaxFastL2Dimensions || set.count() <= kMaxSquarePoints)
+        net.sequenceT = tValueOfSequence(set);
     if (set.dims() <= 3 && set.countLog2() % 2 == 0)
         net.holdsBase4Boxes = checkNet(set, 0, NetBase::four).holds();
 }
@@ -112,7 +114,10 @@ void addL2Tasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
 
 void addStarTask(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (points.dims() > kMaxStarDimensions) return;
-    tasks.push_back([&] { found.star = starDiscrepancy(points, kStarWork / points.count()); });
+    tasks.push_back([&] {
+        const std::size_t sweeps = std::max(kStarWork / points.count(), kMinStarSweeps);
+        found.star = starDiscrepancy(points, sweeps);
+    });
 }
 
 void addDistanceTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
@@ -151,15 +156,15 @@ void addSpectrumTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
 
 void addIndependenceTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
     if (result.count < 3) return;
-    for (const auto& [name, streams] : set.families) {
-        FamilyIndependence family{name, {}, usualGridSide(result.count), {}};
-        for (const SampleStream& stream : streams) family.streams.push_back(stream.name);
-        result.independence.push_back(std::move(family));
+    for (const StreamFamily& family : set.families) {
+        result.independence.push_back({family.name, {}, usualGridSide(result.count), {}});
     }
     for (std::size_t f = 0; f < result.independence.size(); ++f) {
         tasks.push_back([&, f] {
             FamilyIndependence& family = result.independence[f];
-            family.report = testIndependence(set.families[f].second, family.gridSide, kWorstPairs);
+            const std::vector<SampleStream> streams = set.families[f].streams();
+            for (const SampleStream& stream : streams) family.streams.push_back(stream.name);
+            family.report = testIndependence(streams, family.gridSide, kWorstPairs);
         });
     }
 }

@@ -20,9 +20,16 @@
 namespace wellstrat::cli {
 
 /// The measures that take longest are left out beyond this: L2 discrepancies in more than three
-/// dimensions, whose time grows with the square of the number of points, and t of all aligned
+/// dimensions, whose time grows with the square of the number of points, and there t of all aligned
 /// blocks.
 constexpr std::size_t kMaxSquarePoints = std::size_t{1} << 17;
+
+/// Streams that ought to be independent, by what tells them apart, such as "patterns". They may
+/// take much memory: they are made when they are tested.
+struct StreamFamily {
+    std::string name;
+    std::function<std::vector<SampleStream>()> streams; ///< pure
+};
 
 /// What to measure.
 struct MeasuredSet {
@@ -32,8 +39,7 @@ struct MeasuredSet {
     std::size_t realizations;
     /// Names of the realizations, if each is to be measured by itself; else only the first one is.
     std::vector<std::string> names;
-    /// Streams that ought to be independent, by what tells them apart, such as "patterns".
-    std::vector<std::pair<std::string, std::vector<SampleStream>>> families;
+    std::vector<StreamFamily> families;
 };
 
 using Projection = std::vector<unsigned>;
@@ -45,7 +51,7 @@ std::string projectionName(const Projection& projection, unsigned dims);
 struct NetQuality {
     Projection projection;
     unsigned t;
-    std::optional<unsigned> sequenceT;   ///< of all aligned blocks; up to kMaxSquarePoints
+    std::optional<unsigned> sequenceT;   ///< of all aligned blocks
     std::optional<bool> holdsBase4Boxes; ///< up to three dimensions, powers of four points
 };
 
