@@ -226,6 +226,7 @@ double withKernel(L2Kind kind, const Visitor& visit) {
 std::vector<double> directDiscrepancies(const UnitPoints& points,
                                         const std::vector<L2Kind>& kinds) {
     std::vector<double> result;
+    result.reserve(kinds.size());
     for (const L2Kind kind : kinds) {
         result.push_back(withKernel(kind, [&](auto kernel) {
             using Kernel = decltype(kernel);
@@ -244,6 +245,7 @@ std::vector<double> l2Discrepancies(const UnitPoints& points, const std::vector<
     std::iota(axes.begin(), axes.end(), 0u);
     const long double distances = sums.sum(std::vector<double>(points.count(), 1.0), axes);
     std::vector<double> result;
+    result.reserve(kinds.size());
     for (const L2Kind kind : kinds) {
         result.push_back(withKernel(kind, [&](auto kernel) {
             using Kernel = decltype(kernel);

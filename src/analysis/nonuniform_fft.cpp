@@ -69,8 +69,8 @@ void addPoint(FourierGrid& grid, std::size_t side, const Spread& x, const Spread
 
 } // namespace
 
-std::vector<std::complex<double>> planeSums(const UnitPoints& unordered, int maxFrequency) {
-    const UnitPoints points = inCellOrder(unordered);
+std::vector<std::complex<double>> planeSums(const UnitPoints& points, int maxFrequency) {
+    const UnitPoints ordered = inCellOrder(points);
     // `modes` frequencies an axis, twice as many cells.
     const std::size_t modes =
         std::max<std::size_t>(2 * static_cast<std::size_t>(maxFrequency) + 2, kWidth);
@@ -79,9 +79,9 @@ std::vector<std::complex<double>> planeSums(const UnitPoints& unordered, int max
     const double cell = 2 * kPi / static_cast<double>(side);
     const Gaussian gaussian(cell * cell / (4 * tau));
     FourierGrid grid(side, side);
-    for (std::size_t i = 0; i < points.count(); ++i) {
-        addPoint(grid, side, Spread(points.coordinate(0)[i], side, gaussian),
-                 Spread(points.coordinate(1)[i], side, gaussian));
+    for (std::size_t i = 0; i < ordered.count(); ++i) {
+        addPoint(grid, side, Spread(ordered.coordinate(0)[i], side, gaussian),
+                 Spread(ordered.coordinate(1)[i], side, gaussian));
     }
     grid.transform();
 

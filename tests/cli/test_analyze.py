@@ -316,6 +316,22 @@ class RefusalTest(AnalyzeTest):
             self.assertRegex(process.stderr.decode(), "more than 1048576 points")
 
 
+class ManyPointsTest(AnalyzeTest):
+    def test_time_and_memory(self):
+        """All measures of 2^18 points, in time that grows about as their number: pair by pair, the
+        L2 discrepancies alone would be over a minute of processor time."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        found = self.analyze("--generator", "random", "--count", str(1 << 18), "--realizations",
+                             "1", preexec_fn=little_memory)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertLess(after.ru_utime - before.ru_utime, 30)
+        for measured in (found["nets"][2]["sequence_t"], found["nearest"]["torus"],
+                         found["pair_correlation"], *found["discrepancy"].values()):
+            self.assertIsNotNone(measured)
+        lower, upper = found["discrepancy"]["star"]
+        self.assertEqual(lower, upper)
+
+
 class FaultTest(AnalyzeTest):
     """Each fault is seen by the measure that exists to see it, and not where there is none."""
 

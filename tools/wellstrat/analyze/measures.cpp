@@ -99,8 +99,9 @@ void addNetTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
 void addL2Tasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (points.dims() <= kMaxFastL2Dimensions) {
         tasks.push_back([&] {
-            std::vector<L2Kind> kinds;
-            for (const NamedL2& named : kL2Kinds) kinds.push_back(named.kind);
+            std::vector<L2Kind> kinds(kL2Kinds.size());
+            std::transform(kL2Kinds.begin(), kL2Kinds.end(), kinds.begin(),
+                           [](const NamedL2& named) { return named.kind; });
             const std::vector<double> values = l2Discrepancies(points, kinds);
             std::copy(values.begin(), values.end(), found.l2.begin());
         });
