@@ -64,10 +64,11 @@ void checkPairArguments(const UnitPoints& points, double range, unsigned bins) {
 } // namespace
 
 NearestDistances nearestDistances(const UnitPoints& points, Topology topology) {
-    const PointGrid grid(points);
+    const UnitPoints ordered = inCellOrder(points);
+    const PointGrid grid(ordered);
     NearestDistances result{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t i = 0; i < points.count(); ++i) {
-        const double nearest = nearestTo(i, points, grid, topology);
+        const double nearest = nearestTo(i, ordered, grid, topology);
         result.minimum = std::min(result.minimum, nearest);
         result.mean += nearest / static_cast<double>(points.count());
     }
@@ -89,15 +90,19 @@ double largestMinimumDistance(std::size_t count, unsigned dims) {
 
 PairCorrelation pairCorrelation(const UnitPoints& points, double range, unsigned bins) {
     checkPairArguments(points, range, bins);
-    const PointGrid grid(points);
+    const UnitPoints ordered = inCellOrder(points);
+    const PointGrid grid(ordered);
     const double step = range / bins;
     std::vector<double> values(bins);
-    // Each pair is found from both of its points.
+    const double farthest = range * range * (1 + 1e-12);
     const auto reach = static_cast<long>(std::ceil(range / grid.cellWidth()));
     for (std::size_t i = 0; i < points.count(); ++i) {
         grid.visitBox(i, reach, Topology::torus, [&](std::size_t j) {
-            const double bin = std::sqrt(squaredDistance(points, i, j, Topology::torus)) / step;
-            if (i != j && bin < bins) ++values[static_cast<std::size_t>(bin)];
+            if (j >= i) return; // a pair is found from both of its points
+            const double squared = squaredDistance(ordered, i, j, Topology::torus);
+            if (squared > farthest) return;
+            const double bin = std::sqrt(squared) / step;
+            if (bin < bins) values[static_cast<std::size_t>(bin)] += 2;
         });
     }
     const auto count = static_cast<double>(points.count());

@@ -6,66 +6,123 @@
 //
 // where k is the reproducing kernel of a space of functions, h(x) its integral over the second
 // argument and c its integral over both (Hickernell 1998, Math. Comp. 67, section 3). A kind of
-// discrepancy is its k, h and c. Part of k depends on one argument only: `part`.
+// discrepancy is its k, h and c, and all k are
+//
+//     k(x, y) = q(x) + q(y) - p x y + a |x - y|
+//
+// The first three terms are (q(x) + 1/2) (q(y) + 1/2) - (q(x) - 1/2) (q(y) - 1/2) - p x y, a sum of
+// products of a function of x and the same function of y. Multiplied out over the coordinates, the
+// sum over pairs consists of sums of products of weights and distances, which distance_sums.h has.
 
 #include "wellstrat/analysis/discrepancy.h"
+
+#include "distance_sums.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace wellstrat {
 inline namespace stream1 {
 namespace {
 
-struct StarKernel {
-    static constexpr double kMean = 1.0 / 3;
-    static double single(double x) { return (1 - x * x) / 2; }
-    static double part(double) { return 0; }
-    static double pair(double x, double y, double, double) { return 1 - (x > y ? x : y); }
+struct StarKernel { // 1 - max(x, y)
+    static constexpr long double kMean = 1.0L / 3;
+    static constexpr double kDistance = -0.5, kProduct = 0;
+    static long double single(long double x) { return (1 - x * x) / 2; }
+    static double part(double x) { return 0.5 - x / 2; }
 };
 
 struct CenteredKernel {
-    static constexpr double kMean = 13.0 / 12;
-    static double single(double x) {
-        const double z = std::fabs(x - 0.5);
+    static constexpr long double kMean = 13.0L / 12;
+    static constexpr double kDistance = -0.5, kProduct = 0;
+    static long double single(long double x) {
+        const long double z = std::fabs(x - 0.5L);
         return 1 + z / 2 - z * z / 2;
     }
     static double part(double x) { return 0.5 + std::fabs(x - 0.5) / 2; }
-    static double pair(double x, double y, double px, double py) {
-        return px + py - 0.5 * std::fabs(x - y);
-    }
 };
 
-struct WrapAroundKernel {
-    static constexpr double kMean = 4.0 / 3;
-    static double single(double) { return kMean; }
-    static double part(double) { return 0; }
-    static double pair(double x, double y, double, double) {
-        const double d = std::fabs(x - y);
-        return 1.5 - d * (1 - d);
-    }
+struct WrapAroundKernel { // 3/2 - |x - y| + (x - y)^2
+    static constexpr long double kMean = 4.0L / 3;
+    static constexpr double kDistance = -1, kProduct = 2;
+    static long double single(long double) { return kMean; }
+    static double part(double x) { return 0.75 + x * x; }
 };
 
-struct MixtureKernel {
-    static constexpr double kMean = 19.0 / 12;
-    static double single(double x) {
-        const double z = std::fabs(x - 0.5);
-        return 5.0 / 3 - z / 4 - z * z / 4;
+struct MixtureKernel { // its terms in x and in y, - 3/4 |x - y| + (x - y)^2 / 2
+    static constexpr long double kMean = 19.0L / 12;
+    static constexpr double kDistance = -0.75, kProduct = 1;
+    static long double single(long double x) {
+        const long double z = std::fabs(x - 0.5L);
+        return 5.0L / 3 - z / 4 - z * z / 4;
     }
-    static double part(double x) { return 15.0 / 16 - std::fabs(x - 0.5) / 4; }
-    static double pair(double x, double y, double px, double py) {
-        const double d = std::fabs(x - y);
-        return px + py + d * (0.5 * d - 0.75);
-    }
+    static double part(double x) { return 15.0 / 16 - std::fabs(x - 0.5) / 4 + x * x / 2; }
 };
 
-struct ModifiedKernel {
-    static constexpr double kMean = 4.0 / 3;
-    static double single(double x) { return (3 - x * x) / 2; }
-    static double part(double) { return 0; }
-    static double pair(double x, double y, double, double) { return 2 - (x > y ? x : y); }
+struct ModifiedKernel { // 2 - max(x, y)
+    static constexpr long double kMean = 4.0L / 3;
+    static constexpr double kDistance = -0.5, kProduct = 0;
+    static long double single(long double x) { return (3 - x * x) / 2; }
+    static double part(double x) { return 1 - x / 2; }
+};
+
+template <class Kernel>
+long double singleSum(const UnitPoints& points) {
+    long double sum = 0;
+    for (std::size_t i = 0; i < points.count(); ++i) {
+        long double product = 1;
+        for (unsigned d = 0; d < points.dims(); ++d) {
+            product *= Kernel::single(points.coordinate(d)[i]);
+        }
+        sum += product;
+    }
+    return sum;
+}
+
+/// The sum over all ordered pairs for few dimensions: multiplied out, coordinate by coordinate.
+template <class Kernel>
+class ExpandedPairs {
+public:
+    /// `distances` is the sum of the products of all distances, which all kernels share.
+    ExpandedPairs(const UnitPoints& points, const DistanceSums& sums, long double distances)
+        : points_(points), sums_(sums), distances_(distances) {}
+
+    long double sum() const { return expand({std::vector<double>(points_.count(), 1.0), {}}, 0); }
+
+private:
+    /// What was chosen of the coordinates so far: the product of the functions of a point, and
+    /// those of which the distance was taken.
+    struct Term {
+        std::vector<double> weights;
+        std::vector<unsigned> axes;
+    };
+
+    long double expand(const Term& term, unsigned dim) const {
+        if (term.axes.size() == points_.dims()) return distances_;
+        if (dim == points_.dims()) return sums_.sum(term.weights, term.axes);
+        Term withDistance = term;
+        withDistance.axes.push_back(dim);
+        long double sum = Kernel::kDistance * expand(withDistance, dim + 1);
+        sum += expand(times(term, dim, [](double x) { return Kernel::part(x) + 0.5; }), dim + 1);
+        sum -= expand(times(term, dim, [](double x) { return Kernel::part(x) - 0.5; }), dim + 1);
+        if (Kernel::kProduct == 0) return sum;
+        return sum -
+               Kernel::kProduct * expand(times(term, dim, [](double x) { return x; }), dim + 1);
+    }
+
+    template <class Function>
+    Term times(Term term, unsigned dim, const Function& function) const {
+        const double* x = points_.coordinate(dim);
+        for (std::size_t i = 0; i < points_.count(); ++i) term.weights[i] *= function(x[i]);
+        return term;
+    }
+
+    const UnitPoints& points_;
+    const DistanceSums& sums_;
+    const long double distances_;
 };
 
 /// Points are taken in blocks of this many, so that the sums of a block stay in the cache. Each
@@ -73,10 +130,11 @@ struct ModifiedKernel {
 constexpr std::size_t kBlock = 256;
 using Block = std::array<double, kBlock>;
 
+/// The sum over all ordered pairs for any dimensions, pair by pair.
 template <class Kernel>
-class L2Sum {
+class DirectPairs {
 public:
-    explicit L2Sum(const UnitPoints& points) : points_(points), parts_(points.dims()) {
+    explicit DirectPairs(const UnitPoints& points) : points_(points), parts_(points.dims()) {
         for (unsigned d = 0; d < points.dims(); ++d) {
             const double* x = points.coordinate(d);
             parts_[d].resize(points.count());
@@ -84,28 +142,8 @@ public:
         }
     }
 
-    double discrepancy() const {
-        const double count = static_cast<double>(points_.count());
-        const double square = std::pow(Kernel::kMean, points_.dims()) - 2 * singles() / count +
-                              pairs() / (count * count);
-        return std::sqrt(std::max(square, 0.0));
-    }
-
-private:
-    double singles() const {
-        long double sum = 0;
-        for (std::size_t i = 0; i < points_.count(); ++i) {
-            double product = 1;
-            for (unsigned d = 0; d < points_.dims(); ++d) {
-                product *= Kernel::single(points_.coordinate(d)[i]);
-            }
-            sum += product;
-        }
-        return static_cast<double>(sum);
-    }
-
-    /// Over all ordered pairs: twice those with j < i, and i itself.
-    double pairs() const {
+    /// Twice the pairs with j < i, and i itself.
+    long double sum() const {
         long double sum = 0;
         for (std::size_t begin = 0; begin < points_.count(); begin += kBlock) {
             const std::size_t size = std::min(kBlock, points_.count() - begin);
@@ -123,9 +161,10 @@ private:
                 sum += diagonal[0];
             }
         }
-        return static_cast<double>(sum);
+        return sum;
     }
 
+private:
     static long double total(const Block& sums, std::size_t size) {
         long double sum = 0;
         for (std::size_t j = 0; j < size; ++j) sum += sums[j];
@@ -134,12 +173,6 @@ private:
 
     /// Adds to sums[j] the product of the kernels of points i and begin + j.
     void addProducts(std::size_t i, std::size_t begin, std::size_t size, Block& sums) const {
-        switch (points_.dims()) {
-        case 1: return addProductsOf<1>(i, begin, size, sums);
-        case 2: return addProductsOf<2>(i, begin, size, sums);
-        case 3: return addProductsOf<3>(i, begin, size, sums);
-        default: break;
-        }
         Block products;
         std::fill_n(products.begin(), size, 1.0);
         for (unsigned d = 0; d < points_.dims(); ++d) {
@@ -149,28 +182,15 @@ private:
         for (std::size_t j = 0; j < size; ++j) sums[j] += products[j];
     }
 
-    template <unsigned Dims>
-    void addProductsOf(std::size_t i, std::size_t begin, std::size_t size, Block& sums) const {
-        const Row a(*this, 0, i, begin);
-        const Row b(*this, Dims > 1 ? 1 : 0, i, begin);
-        const Row c(*this, Dims > 2 ? 2 : 0, i, begin);
-        double* const sum = sums.data();
-        for (std::size_t j = 0; j < size; ++j) {
-            double product = a.kernel(j);
-            if constexpr (Dims > 1) product *= b.kernel(j);
-            if constexpr (Dims > 2) product *= c.kernel(j);
-            sum[j] += product;
-        }
-    }
-
     /// One coordinate of point i against those of a block.
     struct Row {
-        Row(const L2Sum& set, unsigned d, std::size_t i, std::size_t begin)
+        Row(const DirectPairs& set, unsigned d, std::size_t i, std::size_t begin)
             : x(set.points_.coordinate(d)[i]), part(set.parts_[d][i]),
               others(set.points_.coordinate(d) + begin), otherParts(set.parts_[d].data() + begin) {}
 
         double kernel(std::size_t j) const {
-            return Kernel::pair(x, others[j], part, otherParts[j]);
+            return part + otherParts[j] + Kernel::kDistance * std::fabs(x - others[j]) -
+                   Kernel::kProduct * x * others[j];
         }
 
         double x, part;
@@ -182,17 +202,62 @@ private:
     std::vector<std::vector<double>> parts_;
 };
 
-} // namespace
+template <class Kernel>
+double discrepancyOf(const UnitPoints& points, long double pairs) {
+    const auto count = static_cast<long double>(points.count());
+    const long double square = std::pow(Kernel::kMean, static_cast<int>(points.dims())) -
+                               2 * singleSum<Kernel>(points) / count + pairs / (count * count);
+    return static_cast<double>(std::sqrt(std::max(square, 0.0L)));
+}
 
-double l2Discrepancy(const UnitPoints& points, L2Kind kind) {
+/// Calls visit(kernel) with the kernel of a kind.
+template <class Visitor>
+double withKernel(L2Kind kind, const Visitor& visit) {
     switch (kind) {
-    case L2Kind::star: return L2Sum<StarKernel>(points).discrepancy();
-    case L2Kind::centered: return L2Sum<CenteredKernel>(points).discrepancy();
-    case L2Kind::wrapAround: return L2Sum<WrapAroundKernel>(points).discrepancy();
-    case L2Kind::mixture: return L2Sum<MixtureKernel>(points).discrepancy();
-    case L2Kind::modified: return L2Sum<ModifiedKernel>(points).discrepancy();
+    case L2Kind::star: return visit(StarKernel{});
+    case L2Kind::centered: return visit(CenteredKernel{});
+    case L2Kind::wrapAround: return visit(WrapAroundKernel{});
+    case L2Kind::mixture: return visit(MixtureKernel{});
+    case L2Kind::modified: return visit(ModifiedKernel{});
     }
     throw PointError("there is no such kind of L2 discrepancy");
+}
+
+std::vector<double> directDiscrepancies(const UnitPoints& points,
+                                        const std::vector<L2Kind>& kinds) {
+    std::vector<double> result;
+    result.reserve(kinds.size());
+    for (const L2Kind kind : kinds) {
+        result.push_back(withKernel(kind, [&](auto kernel) {
+            using Kernel = decltype(kernel);
+            return discrepancyOf<Kernel>(points, DirectPairs<Kernel>(points).sum());
+        }));
+    }
+    return result;
+}
+
+} // namespace
+
+std::vector<double> l2Discrepancies(const UnitPoints& points, const std::vector<L2Kind>& kinds) {
+    if (points.dims() > kMaxFastL2Dimensions) return directDiscrepancies(points, kinds);
+    const DistanceSums sums(points);
+    std::vector<unsigned> axes(points.dims());
+    std::iota(axes.begin(), axes.end(), 0u);
+    const long double distances = sums.sum(std::vector<double>(points.count(), 1.0), axes);
+    std::vector<double> result;
+    result.reserve(kinds.size());
+    for (const L2Kind kind : kinds) {
+        result.push_back(withKernel(kind, [&](auto kernel) {
+            using Kernel = decltype(kernel);
+            return discrepancyOf<Kernel>(points,
+                                         ExpandedPairs<Kernel>(points, sums, distances).sum());
+        }));
+    }
+    return result;
+}
+
+double l2Discrepancy(const UnitPoints& points, L2Kind kind) {
+    return l2Discrepancies(points, {kind}).front();
 }
 
 } // namespace stream1

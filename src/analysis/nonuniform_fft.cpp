@@ -3,6 +3,7 @@
 #include "nonuniform_fft.h"
 
 #include "fourier_grid.h"
+#include "point_grid.h"
 
 #include <algorithm>
 #include <array>
@@ -20,19 +21,33 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr std::size_t kReach = 12;
 constexpr std::size_t kWidth = 2 * kReach;
 
+/// A Gaussian in units of cells: exp(-decay t^2) at a distance of t cells.
+struct Gaussian {
+    explicit Gaussian(double decayPerCell) : decay(decayPerCell) {
+        for (std::size_t k = 0; k < kWidth; ++k) {
+            const double t = static_cast<double>(k) - static_cast<double>(kReach - 1);
+            atCells[k] = std::exp(-decay * t * t);
+        }
+    }
+
+    double decay;
+    std::array<double, kWidth> atCells;
+};
+
 /// The part of a point's Gaussian that belongs to one axis.
 struct Spread {
-    /// With t the distance in cells from the first of the kWidth cells on, cell k has the weight
-    /// exp(-(2 pi (t - k) / side)^2 / (4 tau)).
-    Spread(double x, std::size_t side, double tau) {
+    /// With f the distance of the point from the cell at or below it, and m = k - kReach + 1, cell
+    /// k has the weight exp(-decay (f - m)^2), which is exp(-decay f^2) exp(2 decay f)^m times the
+    /// Gaussian at m (Greengard, Lee 2004, equation 12): two exponentials instead of one a cell.
+    Spread(double x, std::size_t side, const Gaussian& gaussian) {
         const double scaled = x * static_cast<double>(side);
         const double below = std::floor(scaled);
+        const double f = scaled - below;
         first = (static_cast<std::size_t>(below) + side + 1 - kReach) % side;
-        const double cell = 2 * kPi / static_cast<double>(side);
-        const double t = scaled - below + static_cast<double>(kReach - 1);
-        for (std::size_t k = 0; k < kWidth; ++k) {
-            const double distance = cell * (t - static_cast<double>(k));
-            weights[k] = std::exp(-distance * distance / (4 * tau));
+        const double step = std::exp(2 * gaussian.decay * f);
+        double factor = std::exp(-gaussian.decay * f * (f + 2 * (kReach - 1)));
+        for (std::size_t k = 0; k < kWidth; ++k, factor *= step) {
+            weights[k] = factor * gaussian.atCells[k];
         }
     }
 
@@ -55,15 +70,18 @@ void addPoint(FourierGrid& grid, std::size_t side, const Spread& x, const Spread
 } // namespace
 
 std::vector<std::complex<double>> planeSums(const UnitPoints& points, int maxFrequency) {
+    const UnitPoints ordered = inCellOrder(points);
     // `modes` frequencies an axis, twice as many cells.
     const std::size_t modes =
         std::max<std::size_t>(2 * static_cast<std::size_t>(maxFrequency) + 2, kWidth);
     const std::size_t side = 2 * modes;
     const double tau = kPi * kReach / (static_cast<double>(modes * modes) * 2 * (2 - 0.5));
+    const double cell = 2 * kPi / static_cast<double>(side);
+    const Gaussian gaussian(cell * cell / (4 * tau));
     FourierGrid grid(side, side);
-    for (std::size_t i = 0; i < points.count(); ++i) {
-        addPoint(grid, side, Spread(points.coordinate(0)[i], side, tau),
-                 Spread(points.coordinate(1)[i], side, tau));
+    for (std::size_t i = 0; i < ordered.count(); ++i) {
+        addPoint(grid, side, Spread(ordered.coordinate(0)[i], side, gaussian),
+                 Spread(ordered.coordinate(1)[i], side, gaussian));
     }
     grid.transform();
 

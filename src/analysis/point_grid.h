@@ -28,6 +28,9 @@ public:
         for (std::size_t i = 0; i < points.count(); ++i) members_[next[cellOf(i)]++] = i;
     }
 
+    /// The numbers of the points, cell after cell.
+    const std::vector<std::size_t>& members() const { return members_; }
+
     double cellWidth() const { return 1 / static_cast<double>(side_); }
     long side() const { return static_cast<long>(side_); }
 
@@ -78,14 +81,14 @@ private:
     template <class Visitor>
     void visitAxis(const Around& around, unsigned axis, std::size_t cell, bool all,
                    const Visitor& visit) const {
-        if (axis == axes_) {
-            for (std::size_t k = start_[cell]; k < start_[cell + 1]; ++k) visit(members_[k]);
-            return;
-        }
+        if (axis == axes_) return visitCells(cell, cell, visit);
         const bool torus = around.topology == Topology::torus;
         const long reach = around.reach;
         const long last = torus ? std::min(reach, side() - 1 - reach) : reach;
-        const bool endsOnly = axis + 1 == axes_ && !all && reach > 0;
+        if (axis + 1 == axes_ && all) {
+            return visitRow(cell * side_, place(around.point, axis), {reach, last, torus}, visit);
+        }
+        const bool endsOnly = axis + 1 == axes_ && reach > 0;
         for (long offset = -reach; offset <= last; offset += endsOnly ? 2 * reach : 1) {
             long at = static_cast<long>(place(around.point, axis)) + offset;
             if (torus) at = (at % side() + side()) % side();
@@ -95,12 +98,54 @@ private:
         }
     }
 
+    /// Cells of a row.
+    struct Reach {
+        long before, after;
+        bool wraps;
+    };
+
+    /// The cells around place `at` of the row that begins with cell `row`, of which there are at
+    /// most side().
+    template <class Visitor>
+    void visitRow(std::size_t row, std::size_t at, const Reach& reach, const Visitor& visit) const {
+        const long first = static_cast<long>(at) - reach.before;
+        const long last = static_cast<long>(at) + reach.after;
+        const auto visitPart = [&](long from, long to) {
+            from = std::max(from, 0L);
+            to = std::min(to, side() - 1);
+            if (from > to) return;
+            visitCells(row + static_cast<std::size_t>(from), row + static_cast<std::size_t>(to),
+                       visit);
+        };
+        visitPart(first, last);
+        if (!reach.wraps) return;
+        visitPart(first + side(), side() - 1);
+        visitPart(0, last - side());
+    }
+
+    /// The cells `first` to `last`.
+    template <class Visitor>
+    void visitCells(std::size_t first, std::size_t last, const Visitor& visit) const {
+        for (std::size_t k = start_[first]; k < start_[last + 1]; ++k) visit(members_[k]);
+    }
+
     const UnitPoints& points_;
     unsigned axes_;
     std::size_t side_;
     std::vector<std::size_t> start_;   ///< of each cell in members_, and the end
     std::vector<std::size_t> members_; ///< points, cell after cell
 };
+
+/// The same points in the order of the cells, so that neighbors are neighbors in memory too.
+inline UnitPoints inCellOrder(const UnitPoints& points) {
+    const PointGrid grid(points);
+    std::vector<double> values;
+    values.reserve(points.count() * points.dims());
+    for (const std::size_t i : grid.members()) {
+        for (unsigned d = 0; d < points.dims(); ++d) values.push_back(points.coordinate(d)[i]);
+    }
+    return {values.data(), points.count(), points.dims()};
+}
 
 } // namespace stream1
 } // namespace wellstrat

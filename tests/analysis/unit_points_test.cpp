@@ -51,8 +51,8 @@ TEST(UnitPoints, NamesTheBadValue) {
 TEST(UnitPoints, RejectsOtherSizes) {
     EXPECT_NE(complaint({}, 0, 1), "");
     EXPECT_NE(complaint({}, 1, 0), "");
-    EXPECT_NE(complaint(std::vector<double>(33), 1, 33), "");
-    EXPECT_EQ(complaint(std::vector<double>(32), 1, 32), "");
+    EXPECT_NE(complaint(std::vector<double>(65), 1, 65), "");
+    EXPECT_EQ(complaint(std::vector<double>(64), 1, 64), "");
     const std::vector<double> values{0.5, 0.25};
     const UnitPoints points(values.data(), 1, 2);
     EXPECT_THROW(points.projection({2}), PointError);

@@ -76,7 +76,7 @@ class FileTest(CliTest):
         many = 1 << 40
         for shape, content, mentions in (
                 ("(1, 5, 8, 3)", data, "4 axes; accepted are one"),
-                ("(5, 8, 33)", data, "33 dimensions"),
+                ("(5, 8, 65)", data, "65 dimensions"),
                 ("(5, 9, 3)", data, "has 120 numbers, where its header says 135"),
                 ("(4, 8, 3)", data, "has 120 numbers, where its header says 96"),
                 ("(0, 8, 3)", b"", "no points"),

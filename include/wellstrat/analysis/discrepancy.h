@@ -12,6 +12,7 @@
 #include "wellstrat/platform.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -30,10 +31,19 @@ enum class L2Kind {
     modified,   ///< boxes with a corner at 0, and their projections. Hickernell 1998, as centered
 };
 
+/// Up to so many dimensions, L2 discrepancies take few steps.
+constexpr unsigned kMaxFastL2Dimensions = 3;
+
 /// The L2 discrepancy: the root of what some packages, SciPy among them, return for all kinds but
-/// star. Rounding adds up to about 1e-14 to its square.
-/// Time: count^2 * dims / 2 steps, a fraction of a nanosecond each. Memory: 8 bytes a coordinate.
+/// star. Rounding adds up to about 1e-14 to its square, and 1e-17 for many points.
+/// Time: in one to three dimensions, count log2(count)^(dims - 1) steps (Heinrich 1996, "Efficient
+/// algorithms for computing the L2-discrepancy", Math. Comp. 65, 1621-1633); in more,
+/// count^2 * dims / 2 of a fraction of a nanosecond. Memory: 100 bytes a point, or 8 a coordinate.
 WELLSTRAT_API double l2Discrepancy(const UnitPoints& points, L2Kind kind);
+
+/// Those of several kinds, in their order, in less time.
+WELLSTRAT_API std::vector<double> l2Discrepancies(const UnitPoints& points,
+                                                  const std::vector<L2Kind>& kinds);
 
 /// The star discrepancy lies in [lower, upper].
 struct StarBounds {

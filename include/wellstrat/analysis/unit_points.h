@@ -27,7 +27,7 @@ public:
 /// threads may read one at once.
 class WELLSTRAT_API UnitPoints {
 public:
-    static constexpr unsigned kMaxDimensions = 32;
+    static constexpr unsigned kMaxDimensions = 64;
 
     /// Copies values[0, count * dims), point after point: coordinate d of point i is
     /// values[i * dims + d]. Throws PointError for no points, for a number of dimensions out of

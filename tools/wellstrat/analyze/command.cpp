@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/options.h"
+#include "common/command_line/progress.h"
 #include "figure.h"
 #include "measures.h"
 #include "results.h"
@@ -25,14 +26,17 @@ namespace {
 constexpr auto kExamples =
     R"(Measures: t as a net in base 2, of each projection; star and L2 discrepancies; distances to the
 nearest point; pair correlation; spectra of each 2D projection; independence of patterns and
-domains, and of the pixels and frames of generators. Spectra are the mean of all realizations,
-independence is that of the first 8, all else is of the first one. The L2 discrepancies centered,
-wrap-around and mixture are the square roots of what SciPy prints; star is the same.
+domains, and of the pixels and frames of generators. The L2 discrepancies centered, wrap-around and
+mixture are the square roots of what SciPy prints; star is the same. --no-... leaves measures out.
 
-Files hold values in [0, 1): text (one point a line, # starts a comment), NumPy arrays of float32 or
-float64 with shape (points, dims), or with --format raw little-endian numbers. Points of another
-program come through a pipe with "... | wellstrat analyze -". Realizations, such as patterns of
-another generator, are several files or NumPy arrays with shape (patterns, points, dims).
+Files hold values in [0, 1) in 1 to 64 dimensions: text (one point a line, after a line of names
+if there is one; # begins a comment), NumPy arrays with shape (points, dims), UTK's binary files,
+or with --format raw little-endian numbers; all of them may be compressed by gzip. Unsigned
+integers are fractions of 2^bits, or what --scale says. "... | wellstrat analyze -" reads a pipe.
+
+Several sets are several files, text with a line of nothing but # between sets, NumPy arrays with
+shape (sets, points, dims), or UTK's. Each is measured by itself; mean and worst of all come first.
+Spectra are the mean of all sets or patterns, independence is that of the first 8.
 
 Examples:
   wellstrat analyze --generator pmj --count 1024
@@ -40,6 +44,7 @@ Examples:
   wellstrat analyze --generator pmj --count 4096 --plot spectrum.png
   wellstrat analyze --generator sobol-owen --count 1024
   wellstrat analyze pixel-0.csv pixel-1.csv
+  wellstrat analyze pixel-0.csv --no-star --no-l2
   wellstrat analyze paths.csv --domains 2,2,1
 )";
 
@@ -50,6 +55,7 @@ struct AnalyzeOptions {
     uint64_t count = 4096;
     uint64_t pattern = 0;
     uint64_t realizations = 16;
+    MeasureChoice choice;
     bool json = false;
     std::optional<std::string> plot;
     bool keepPlotFiles = false;
@@ -87,14 +93,37 @@ void analyze(const AnalyzeOptions& options) {
         throw CliError(fmt::format("--plot: at most {} points can be drawn, not {}",
                                    kMaxFigurePoints, points.count()));
     }
-    if (picture && points.count() == 1 && points.dims() == 1) {
-        throw CliError("--plot: there is nothing to draw of one point in one dimension");
+    const bool planes = options.choice.spectra && points.dims() > 1;
+    const bool pairs =
+        options.choice.pairs && points.dims() <= kMaxPairDimensions && points.count() > 1;
+    if (picture && !planes && !pairs) {
+        throw CliError("--plot: there is nothing to draw without spectra and pair correlation");
     }
-    const Measures measures = measure(subject.set);
+    Measures measures;
+    {
+        ProgressBar progress("measures");
+        measures =
+            measure(subject.set, options.choice, [&](double share) { progress.show(share); });
+    }
     if (picture) picture->draw(measuresFigure(measures, points));
     printText(options.json ? measuresJson(measures, subject.name)
                            : measuresText(measures, oneLine(subject.name)));
     if (picture) picture->commit();
+}
+
+/// An option for each measure.
+void addChoice(CLI::App& command, MeasureChoice& choice) {
+    const auto addLeftOut = [&](const char* option, bool& measure, const char* what) {
+        command.add_flag_callback(
+            option, [&measure] { measure = false; }, fmt::format("Leave out {}", what));
+    };
+    addLeftOut("--no-nets", choice.nets, "t as a net");
+    addLeftOut("--no-star", choice.star, "the star discrepancy");
+    addLeftOut("--no-l2", choice.l2, "the L2 discrepancies");
+    addLeftOut("--no-distances", choice.distances, "the distances to the nearest point");
+    addLeftOut("--no-pairs", choice.pairs, "the pair correlation");
+    addLeftOut("--no-spectra", choice.spectra, "the spectra");
+    addLeftOut("--no-independence", choice.independence, "independence");
 }
 
 } // namespace
@@ -121,13 +150,18 @@ void addAnalyze(CLI::App& app, int& /*exitCode*/) {
         ->needs(generator);
     command
         ->add_option("--format", options->files.options.format,
-                     "text, npy or raw [what the file's suffix and first bytes say]")
+                     "text, npy, raw or utk [what the file's suffix and first bytes say]")
         ->type_name("NAME")
         ->excludes(generator);
     command
         ->add_option("--type", options->files.options.type,
-                     "Of raw numbers: float32 or float64 [float32]")
+                     "Of raw numbers: floatN, uintN or intN with N bits [float32]")
         ->type_name("NAME")
+        ->excludes(generator);
+    command
+        ->add_option("--scale", options->files.options.scale,
+                     "Multiplies the numbers of files: 2^-32, 0.5 [1, or see below]")
+        ->type_name("FACTOR")
         ->excludes(generator);
     command
         ->add_option("--domains", options->files.domains,
@@ -137,6 +171,7 @@ void addAnalyze(CLI::App& app, int& /*exitCode*/) {
         ->check(CLI::Range(1u, UnitPoints::kMaxDimensions).description(""))
         ->type_name("DIMS,DIMS")
         ->excludes(generator);
+    addChoice(*command, options->choice);
     command->add_flag("--json", options->json, "Print JSON");
     CLI::Option* const plot =
         command

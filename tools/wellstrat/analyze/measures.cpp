@@ -8,14 +8,16 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
+#include <atomic>
 
 namespace wellstrat::cli {
 namespace {
 
 constexpr unsigned kPairBins = 48;
 constexpr std::size_t kWorstPairs = 5;
-/// Steps of the search for the star discrepancy in 3D, which takes some seconds for them.
-constexpr std::size_t kStarWork = std::size_t{1} << 21;
+/// Steps of the search for the star discrepancy in 3D, which takes some seconds for them, and the
+/// least number of sweeps of all points, however many there are.
+constexpr std::size_t kStarWork = std::size_t{1} << 21, kMinStarSweeps = 32;
 /// Values that the periodograms of all projections may have.
 constexpr std::size_t kSpectrumValues = std::size_t{1} << 24;
 
@@ -60,7 +62,8 @@ PointSet netPoints(const UnitPoints& points, const Projection& projection) {
 void measureNet(const UnitPoints& points, NetQuality& net) {
     const PointSet set = netPoints(points, net.projection);
     net.t = tValue(set);
-    if (set.count() <= kMaxSquarePoints) net.sequenceT = tValueOfSequence(set);
+    if (points.dims() <= kMaxFastL2Dimensions || set.count() <= kMaxSquarePoints)
+        net.sequenceT = tValueOfSequence(set);
     if (set.dims() <= 3 && set.countLog2() % 2 == 0)
         net.holdsBase4Boxes = checkNet(set, 0, NetBase::four).holds();
 }
@@ -85,33 +88,60 @@ void measureSpectrum(const MeasuredSet& set, PlaneSpectrum& spectrum) {
 
 using Tasks = std::vector<std::function<void()>>;
 
-void addNetTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
+void addNetTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (!isPowerOfTwo(points.count())) return;
     for (Projection& projection : netProjections(points.dims())) {
-        result.nets.push_back({std::move(projection), 0, {}, {}});
+        found.nets.push_back({std::move(projection), 0, {}, {}});
     }
-    for (NetQuality& net : result.nets) tasks.push_back([&] { measureNet(points, net); });
+    for (NetQuality& net : found.nets) tasks.push_back([&] { measureNet(points, net); });
 }
 
-void addDiscrepancyTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
-    if (points.count() <= kMaxSquarePoints) {
-        for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
-            tasks.push_back([&, k] { result.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); });
-        }
+void addL2Tasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
+    if (points.dims() <= kMaxFastL2Dimensions) {
+        tasks.push_back([&] {
+            std::vector<L2Kind> kinds(kL2Kinds.size());
+            std::transform(kL2Kinds.begin(), kL2Kinds.end(), kinds.begin(),
+                           [](const NamedL2& named) { return named.kind; });
+            const std::vector<double> values = l2Discrepancies(points, kinds);
+            std::copy(values.begin(), values.end(), found.l2.begin());
+        });
+        return;
     }
-    if (points.dims() <= kMaxStarDimensions) {
-        tasks.push_back([&] { result.star = starDiscrepancy(points, kStarWork / points.count()); });
+    if (points.count() > kMaxSquarePoints) return;
+    for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
+        tasks.push_back([&, k] { found.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); });
     }
 }
 
-void addGeometryTasks(const UnitPoints& points, Measures& result, Tasks& tasks) {
-    tasks.push_back([&] { result.onCube = nearestDistances(points, Topology::cube); });
-    tasks.push_back([&] { result.onTorus = nearestDistances(points, Topology::torus); });
+void addStarTask(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
+    if (points.dims() > kMaxStarDimensions) return;
+    tasks.push_back([&] {
+        const std::size_t sweeps = std::max(kStarWork / points.count(), kMinStarSweeps);
+        found.star = starDiscrepancy(points, sweeps);
+    });
+}
+
+void addDistanceTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
+    tasks.push_back([&] { found.onCube = nearestDistances(points, Topology::cube); });
+    tasks.push_back([&] { found.onTorus = nearestDistances(points, Topology::torus); });
+}
+
+void addPairTask(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (points.dims() > kMaxPairDimensions || points.count() < 2) return;
     tasks.push_back([&] {
         const double range = usualPairRange(points.count(), points.dims());
-        result.pairs = pairCorrelation(points, range, kPairBins);
+        found.pairs = pairCorrelation(points, range, kPairBins);
     });
+}
+
+/// What is measured of each set. Those that take longest come first.
+void addSetTasks(const UnitPoints& points, const MeasureChoice& choice, SetMeasures& found,
+                 Tasks& tasks) {
+    if (choice.star) addStarTask(points, found, tasks);
+    if (choice.l2) addL2Tasks(points, found, tasks);
+    if (choice.nets) addNetTasks(points, found, tasks);
+    if (choice.pairs) addPairTask(points, found, tasks);
+    if (choice.distances) addDistanceTasks(points, found, tasks);
 }
 
 void addSpectrumTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
@@ -127,15 +157,28 @@ void addSpectrumTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
 
 void addIndependenceTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
     if (result.count < 3) return;
-    for (const auto& [name, streams] : set.families) {
-        FamilyIndependence family{name, {}, usualGridSide(result.count), {}};
-        for (const SampleStream& stream : streams) family.streams.push_back(stream.name);
-        result.independence.push_back(std::move(family));
+    for (const StreamFamily& family : set.families) {
+        result.independence.push_back({family.name, {}, usualGridSide(result.count), {}});
     }
     for (std::size_t f = 0; f < result.independence.size(); ++f) {
         tasks.push_back([&, f] {
             FamilyIndependence& family = result.independence[f];
-            family.report = testIndependence(set.families[f].second, family.gridSide, kWorstPairs);
+            const std::vector<SampleStream> streams = set.families[f].streams();
+            for (const SampleStream& stream : streams) family.streams.push_back(stream.name);
+            family.report = testIndependence(streams, family.gridSide, kWorstPairs);
+        });
+    }
+}
+
+/// A task for each set, one after the other of its measures in it.
+void addNamedSetTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
+    for (const std::string& name : set.names) result.sets.push_back({name, {}});
+    for (std::size_t r = 0; r < result.sets.size(); ++r) {
+        tasks.push_back([&, r] {
+            const UnitPoints points = set.points(r);
+            Tasks ofSet;
+            addSetTasks(points, result.choice, result.sets[r].found, ofSet);
+            for (const std::function<void()>& task : ofSet) task();
         });
     }
 }
@@ -151,19 +194,25 @@ std::string projectionName(const Projection& projection, unsigned dims) {
     return projection.size() == 1 ? name : "(" + name + ")";
 }
 
-Measures measure(const MeasuredSet& set) {
+Measures measure(const MeasuredSet& set, const MeasureChoice& choice,
+                 const std::function<void(double)>& progress) {
     const UnitPoints points = set.points(0);
     Measures result{};
+    result.choice = choice;
     result.count = points.count();
     result.realizations = set.realizations;
     result.dims = points.dims();
     Tasks tasks;
-    addDiscrepancyTasks(points, result, tasks);
-    addSpectrumTasks(set, result, tasks);
-    addNetTasks(points, result, tasks);
-    addGeometryTasks(points, result, tasks);
-    addIndependenceTasks(set, result, tasks);
-    tbb::parallel_for_each(tasks, [](const std::function<void()>& task) { task(); });
+    if (set.names.empty()) addSetTasks(points, choice, result, tasks);
+    if (choice.spectra) addSpectrumTasks(set, result, tasks);
+    addNamedSetTasks(set, result, tasks);
+    if (choice.independence) addIndependenceTasks(set, result, tasks);
+    std::atomic<std::size_t> done{0};
+    tbb::parallel_for_each(tasks, [&](const std::function<void()>& task) {
+        task();
+        if (progress) progress(static_cast<double>(++done) / static_cast<double>(tasks.size()));
+    });
+    if (!result.sets.empty()) static_cast<SetMeasures&>(result) = result.sets.front().found;
     return result;
 }
 

@@ -2,8 +2,11 @@
 
 #include "results.h"
 
+#include "common/command_line/errors.h"
 #include "common/command_line/versions.h"
 #include "common/output/lines.h"
+#include "set_summary.h"
+#include "wellstrat/analysis/point_set.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -40,7 +43,20 @@ std::string yesNo(const std::optional<bool>& value) {
     return *value ? "yes" : "no";
 }
 
+/// Sections of measures that were not taken are not there.
+void reportSets(const Measures& measures, Report& report) {
+    if (measures.sets.empty()) return;
+    report.section(fmt::format("{} sets, each by itself", measures.sets.size()).c_str());
+    report.line("  {:<24} {:>12} {:>12}  {}", "", "mean", "worst", "worst set");
+    for (const SummaryRow& row : summaryOf(measures)) {
+        report.line("  {:<24} {:>12.6g} {:>12.6g}  {}", row.measure, row.mean, row.worst,
+                    oneLine(row.worstSet));
+    }
+    report.line("\nThe spectrum is the mean of all sets; what else follows is of the first one.");
+}
+
 void reportNets(const Measures& measures, Report& report) {
+    if (!measures.choice.nets) return;
     report.section("t as a net in base 2, 0 is best");
     if (measures.nets.empty()) {
         report.line("  not there: the number of points is no power of two");
@@ -53,18 +69,26 @@ void reportNets(const Measures& measures, Report& report) {
                     net.t, net.sequenceT ? fmt::to_string(*net.sequenceT) : "-",
                     yesNo(net.holdsBase4Boxes));
     }
+    if (measures.dims > PointSet::kMaxDimensions) {
+        report.line("  more than {} dimensions: projections to one and two only",
+                    PointSet::kMaxDimensions);
+    }
 }
 
 void reportDiscrepancies(const Measures& measures, Report& report) {
+    if (!measures.choice.star && !measures.choice.l2) return;
     report.section("discrepancy");
-    if (!measures.star) {
-        report.line("  {:<16} not there: more than {} dimensions", "star", kMaxStarDimensions);
-    } else if (measures.star->exact()) {
-        report.line("  {:<16} {:.6g}", "star", measures.star->lower);
-    } else {
-        report.line("  {:<16} {:.6g} to {:.6g}", "star", measures.star->lower,
-                    measures.star->upper);
+    if (measures.choice.star) {
+        if (!measures.star) {
+            report.line("  {:<16} not there: more than {} dimensions", "star", kMaxStarDimensions);
+        } else if (measures.star->exact()) {
+            report.line("  {:<16} {:.6g}", "star", measures.star->lower);
+        } else {
+            report.line("  {:<16} {:.6g} to {:.6g}", "star", measures.star->lower,
+                        measures.star->upper);
+        }
     }
+    if (!measures.choice.l2) return;
     for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
         const std::string name = fmt::format("L2 {}", kL2Kinds[k].name);
         if (measures.l2[k]) {
@@ -75,18 +99,26 @@ void reportDiscrepancies(const Measures& measures, Report& report) {
     }
 }
 
-void reportGeometry(const Measures& measures, Report& report) {
+void reportDistances(const Measures& measures, Report& report) {
+    if (!measures.choice.distances) return;
     report.section("distance to the nearest point");
     report.line("  {:<16} {:>12} {:>12}", "", "minimum", "mean");
     for (const auto& [name, distances] :
-         {std::pair("cube", measures.onCube), std::pair("torus", measures.onTorus)}) {
+         {std::pair("cube", *measures.onCube), std::pair("torus", *measures.onTorus)}) {
         report.line("  {:<16} {:>12.6g} {:>12.6g}", name, distances.minimum, distances.mean);
     }
     if (const auto share = packing(measures)) {
         report.line("  {:<16} {:>12.4f}", "of the largest", *share);
     }
-    if (!measures.pairs) return;
+}
+
+void reportPairs(const Measures& measures, Report& report) {
+    if (!measures.choice.pairs) return;
     report.section("pair correlation, independent points have 1");
+    if (measures.dims > kMaxPairDimensions) {
+        report.line("  not there: more than {} dimensions", kMaxPairDimensions);
+    }
+    if (!measures.pairs) return;
     const std::vector<double>& values = measures.pairs->values;
     constexpr std::size_t kRows = 12;
     const std::size_t perRow = values.size() / kRows;
@@ -141,58 +173,6 @@ void reportIndependence(const Measures& measures, Report& report) {
     }
 }
 
-using Json = nlohmann::ordered_json;
-
-template <class Value>
-Json jsonOf(const std::optional<Value>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-
-Json jsonOf(const NearestDistances& distances) {
-    // Infinity, of a single point, is no JSON.
-    if (std::isinf(distances.minimum)) return nullptr;
-    return {{"minimum", distances.minimum}, {"mean", distances.mean}};
-}
-
-Json jsonOf(const NetQuality& net) {
-    return {{"projection", net.projection},
-            {"t", net.t},
-            {"sequence_t", jsonOf(net.sequenceT)},
-            {"base4_boxes", jsonOf(net.holdsBase4Boxes)}};
-}
-
-Json jsonOf(const PlaneSpectrum& plane) {
-    return {{"projection", plane.projection},
-            {"max_frequency", plane.periodogram.maxFrequency()},
-            {"radial_mean", plane.radial.mean},
-            {"anisotropy_db", plane.radial.anisotropyDb},
-            {"peak", {{"frequency", {plane.peak.fx, plane.peak.fy}}, {"power", plane.peak.power}}}};
-}
-
-Json jsonOf(const FamilyIndependence& family, unsigned dims) {
-    Json worst = Json::array();
-    for (const CoordinatePair& pair : family.report.worst) {
-        worst.push_back({{"first", coordinateName(family, pair.first, pair.firstDim, dims)},
-                         {"second", coordinateName(family, pair.second, pair.secondDim, dims)},
-                         {"correlation", pair.correlation},
-                         {"chi_square", pair.chiSquare},
-                         {"probability", pair.probability()}});
-    }
-    return {{"family", family.name},
-            {"pairs", family.report.pairs},
-            {"grid_side", family.gridSide},
-            {"correlation_spread", family.report.correlationSpread},
-            {"mean_chi_square", family.report.meanChiSquare},
-            {"worst", worst}};
-}
-
-template <class Range, class... More>
-Json arrayOf(const Range& range, const More&... more) {
-    Json array = Json::array();
-    for (const auto& element : range) array.push_back(jsonOf(element, more...));
-    return array;
-}
-
 } // namespace
 
 std::string coordinateName(const FamilyIndependence& family, std::size_t stream, unsigned dim,
@@ -201,47 +181,24 @@ std::string coordinateName(const FamilyIndependence& family, std::size_t stream,
 }
 
 std::optional<double> packing(const Measures& measures) {
-    if (measures.dims > 3 || measures.count < 2) return {};
-    return measures.onTorus.minimum / largestMinimumDistance(measures.count, measures.dims);
+    if (measures.dims > 3 || measures.count < 2 || !measures.onTorus) return {};
+    return measures.onTorus->minimum / largestMinimumDistance(measures.count, measures.dims);
 }
 
 std::string measuresText(const Measures& measures, const std::string& subject) {
     Report report;
     report.line("{}", versionLine());
-    report.line("{}: {} points in {} dimensions", subject, measures.count, measures.dims);
+    const std::string sets =
+        measures.sets.empty() ? "" : fmt::format("{} sets of ", measures.sets.size());
+    report.line("{}: {}{} points in {} dimensions", subject, sets, measures.count, measures.dims);
+    reportSets(measures, report);
     reportNets(measures, report);
     reportDiscrepancies(measures, report);
-    reportGeometry(measures, report);
+    reportDistances(measures, report);
+    reportPairs(measures, report);
     reportSpectra(measures, report);
     reportIndependence(measures, report);
     return report.take();
-}
-
-std::string measuresJson(const Measures& measures, const std::string& subject) {
-    Json json = versionedJson();
-    json["subject"] = subject;
-    json["points"] = measures.count;
-    json["dimensions"] = measures.dims;
-    json["nets"] = arrayOf(measures.nets);
-    Json& discrepancy = json["discrepancy"];
-    discrepancy["star"] = nullptr;
-    if (measures.star) discrepancy["star"] = {measures.star->lower, measures.star->upper};
-    for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
-        discrepancy[fmt::format("l2_{}", kL2Kinds[k].name)] = jsonOf(measures.l2[k]);
-    }
-    json["nearest"] = {{"cube", jsonOf(measures.onCube)},
-                       {"torus", jsonOf(measures.onTorus)},
-                       {"of_largest_minimum", jsonOf(packing(measures))}};
-    json["pair_correlation"] = nullptr;
-    if (measures.pairs) {
-        json["pair_correlation"] = {{"step", measures.pairs->step},
-                                    {"values", measures.pairs->values}};
-    }
-    json["spectrum"] = {{"realizations", measures.realizations},
-                        {"projections", arrayOf(measures.spectra)}};
-    json["independence"] = arrayOf(measures.independence, measures.dims);
-    // File names need not be UTF-8.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace wellstrat::cli

@@ -40,11 +40,11 @@ private:
         const std::size_t count = table.pointsEach();
         const unsigned dims = table.points.dims;
         numbers_ += table.points.values.size();
-        if (numbers_ > kMaxPatternNumbers || streams_.size() + table.patterns > kMaxRealizations) {
+        if (numbers_ > kMaxFileNumbers || streams_.size() + table.patterns > kMaxRealizations) {
             throw CliError(
                 fmt::format("'{}': has, with the files before, more than {} patterns or "
                             "{} numbers, which is as many as are measured",
-                            name, kMaxRealizations, kMaxPatternNumbers));
+                            name, kMaxRealizations, kMaxFileNumbers));
         }
         if (!streams_.empty()) {
             const SampleStream& first = streams_.front();
@@ -86,7 +86,7 @@ Streams domainStreams(const UnitPoints& points, const std::vector<unsigned>& dom
 /// A generator as the families need it.
 struct PatternDrawer {
     std::function<UnitPoints(uint32_t)> points, familyPoints;
-    Streams domains; ///< of the first pattern
+    std::function<Streams()> domains; ///< of the first pattern
 };
 
 PatternDrawer ownDrawer(const NamedGenerator& generator, const GeneratedPoints& generated) {
@@ -94,13 +94,15 @@ PatternDrawer ownDrawer(const NamedGenerator& generator, const GeneratedPoints& 
                          count = generated.count](uint32_t pattern) {
         return drawPoints({&generator, dims, pattern, 0, count});
     };
-    PatternDrawer drawer{points, points, {}};
-    for (unsigned d = 0; d < kMaxStreams; ++d) {
-        const SampleCtx domain =
-            SampleCtx{generated.pattern, 0}.NewDomain(static_cast<Scramble>(d));
-        drawer.domains.push_back({fmt::format("domain {}", d), points(domain.patternid)});
-    }
-    return drawer;
+    const auto domains = [points, first = generated.pattern] {
+        Streams streams;
+        for (unsigned d = 0; d < kMaxStreams; ++d) {
+            const SampleCtx domain = SampleCtx{first, 0}.NewDomain(static_cast<Scramble>(d));
+            streams.push_back({fmt::format("domain {}", d), points(domain.patternid)});
+        }
+        return streams;
+    };
+    return {points, points, domains};
 }
 
 /// The first domain of other sources has the order of the sequence, the same in all patterns; the
@@ -123,7 +125,9 @@ PatternDrawer sourceDrawer(const PointSource& source, const GeneratedPoints& gen
         return domainStreams(draw(pattern, 2), {dims, dims})[1].points;
     };
     return {[draw](uint32_t pattern) { return draw(pattern, 1); }, second,
-            domainStreams(draw(generated.pattern, kMaxIntegrandDomains), domains)};
+            [draw, domains, first = generated.pattern] {
+                return domainStreams(draw(first, kMaxIntegrandDomains), domains);
+            }};
 }
 
 PatternDrawer drawerOf(const PointSource& source, const GeneratedPoints& generated) {
@@ -147,34 +151,47 @@ Subject fileSubject(const PointFiles& files) {
     subject.set.points = [patterns](std::size_t r) { return (*patterns)[r].points; };
     subject.set.realizations = patterns->size();
     if (patterns->size() > 1) {
-        subject.set.families.emplace_back("patterns", firstStreams(*patterns));
+        for (const SampleStream& pattern : *patterns) subject.set.names.push_back(pattern.name);
+        subject.set.families.push_back(
+            {"patterns", [patterns] { return firstStreams(*patterns); }});
     }
     if (!files.domains.empty()) {
-        const Streams domains = domainStreams(patterns->front().points, files.domains);
-        if (domains.size() > 1) subject.set.families.emplace_back("domains", domains);
+        Streams domains = domainStreams(patterns->front().points, files.domains);
+        if (domains.size() > 1) {
+            subject.set.families.push_back(
+                {"domains", [streams = std::move(domains)] { return streams; }});
+        }
     }
     return subject;
 }
 
 Subject generatorSubject(const GeneratedPoints& generated, const PointSource& source) {
-    PatternDrawer drawer = drawerOf(source, generated);
+    const PatternDrawer drawer = drawerOf(source, generated);
     const uint32_t first = generated.pattern;
-    Streams patterns, pixels;
-    for (unsigned s = 0; s < kMaxStreams; ++s) {
-        patterns.push_back({fmt::format("pattern {}", first + s), drawer.familyPoints(first + s)});
-        const int x = static_cast<int>(s % 2), y = static_cast<int>(s / 2 % 2);
-        const unsigned frame = s / 4;
-        pixels.push_back({fmt::format("pixel ({}, {}) frame {}", x, y, frame),
-                          drawer.familyPoints(cameraContext(x, y, frame, 0).patternid)});
-    }
+    const auto patterns = [draw = drawer.familyPoints, first] {
+        Streams streams;
+        for (unsigned s = 0; s < kMaxStreams; ++s) {
+            streams.push_back({fmt::format("pattern {}", first + s), draw(first + s)});
+        }
+        return streams;
+    };
+    const auto pixels = [draw = drawer.familyPoints] {
+        Streams streams;
+        for (unsigned s = 0; s < kMaxStreams; ++s) {
+            const int x = static_cast<int>(s % 2), y = static_cast<int>(s / 2 % 2);
+            const unsigned frame = s / 4;
+            streams.push_back({fmt::format("pixel ({}, {}) frame {}", x, y, frame),
+                               draw(cameraContext(x, y, frame, 0).patternid)});
+        }
+        return streams;
+    };
     return {fmt::format("{}, pattern {}", generated.name, first),
             {[points = drawer.points, first](std::size_t r) {
                  return points(first + static_cast<uint32_t>(r));
              },
              generated.realizations,
-             {{"patterns", std::move(patterns)},
-              {"pixels and frames", std::move(pixels)},
-              {"domains", std::move(drawer.domains)}}}};
+             {},
+             {{"patterns", patterns}, {"pixels and frames", pixels}, {"domains", drawer.domains}}}};
 }
 
 } // namespace wellstrat::cli

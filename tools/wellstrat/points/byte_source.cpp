@@ -4,34 +4,47 @@
 
 #include "common/command_line/errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+
+#include <unistd.h>
 
 namespace wellstrat::cli {
 
 ByteSource::ByteSource(const std::string& path)
     : name_(path == "-" ? "standard input" : path),
-      file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
+      file_(path == "-" ? gzdopen(dup(STDIN_FILENO), "rb") : gzopen(path.c_str(), "rb")) {
     if (file_ == nullptr) throw fileError("read", name_, errno);
 }
 
-ByteSource::~ByteSource() {
-    if (file_ != stdin) std::fclose(file_);
-}
+ByteSource::~ByteSource() { gzclose(file_); }
 
 void ByteSource::fill(std::size_t size) {
     if (end_ - begin_ >= size) return;
     std::memmove(buffer_.data(), buffer_.data() + begin_, end_ - begin_);
     end_ -= begin_;
     begin_ = 0;
-    end_ += std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_);
-    if (std::ferror(file_) != 0) throw fileError("read", name_, errno);
+    const int read =
+        gzread(file_, buffer_.data() + end_, static_cast<unsigned>(buffer_.size() - end_));
+    if (read > 0) end_ += static_cast<std::size_t>(read);
+    int status = Z_OK;
+    gzerror(file_, &status);
+    if (status == Z_ERRNO) throw fileError("read", name_, errno);
+    if (status != Z_OK && status != Z_STREAM_END) {
+        throw CliError(fmt::format("'{}': compressed by gzip, but damaged or cut off", name_));
+    }
 }
 
 bool ByteSource::startsWith(std::string_view bytes) {
     fill(bytes.size());
     return buffered().substr(0, bytes.size()) == bytes;
+}
+
+void ByteSource::skip(std::string_view bytes) {
+    if (startsWith(bytes)) begin_ += bytes.size();
 }
 
 std::size_t ByteSource::read(char* to, std::size_t size) {

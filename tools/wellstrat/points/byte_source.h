@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Buffered input from a file or the standard input.
+// Buffered input from a file or the standard input, compressed by gzip or not.
 
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <string_view>
 
+#include <zlib.h>
+
 namespace wellstrat::cli {
 
-/// Bytes in order. All functions throw CliError if reading fails.
+/// Bytes in order, decompressed if they begin as those of gzip do. All functions throw CliError if
+/// reading fails or what was compressed is damaged.
 class ByteSource {
 public:
     /// The path "-" is the standard input.
@@ -27,6 +29,9 @@ public:
     /// Whether the bytes to come begin with `bytes`, of which there are few.
     bool startsWith(std::string_view bytes);
 
+    /// Skips `bytes`, of which there are few, if they come next.
+    void skip(std::string_view bytes);
+
     /// Reads up to `size` bytes; less only at the end.
     std::size_t read(char* to, std::size_t size);
 
@@ -40,7 +45,7 @@ private:
     std::string_view buffered() const { return {buffer_.data() + begin_, end_ - begin_}; }
 
     std::string name_;
-    std::FILE* file_;
+    gzFile file_;
     std::array<char, 65536> buffer_;
     std::size_t begin_ = 0, end_ = 0;
 };
