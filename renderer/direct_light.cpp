@@ -120,8 +120,8 @@ Float3 DirectLight::environmentSample(const Path& path, const Vertex& vertex, Fl
 
 Float3 DirectLight::fromSurface(const Path& path, const Hit& hit, const Surface& surface) const {
     if (!emits(*surface.material)) return Float3(0.0f);
-    const Float3 radiance =
-        emittedRadiance(*surface.material, surface.uv, surface.point.normal, -path.ray.direction);
+    const Float3 radiance = emittedRadiance(*surface.material, surface.attributes,
+                                            surface.point.normal, -path.ray.direction);
     if (isBlack(radiance)) return radiance;
     const float pdf = lights_.pdf(path.ray, hit, surface);
     return multiply(path.throughput, radiance) * chanceWeight(options_.strategy, path, pdf);

@@ -131,14 +131,14 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
         surface.point = spherePoint(sphere, ray.origin + ray.direction * hit.distance, ray.time);
         surface.shadingNormal = surface.point.normal;
         surface.material = &scene_.materials[sphere.material];
-        surface.uv = sphereUv(surface.point.normal);
+        surface.attributes.uv = sphereUv(surface.point.normal);
         return surface;
     }
     const Mesh& mesh = scene_.meshes[hit.shape];
     const Triangle triangle = triangleAt(mesh, hit.primitive, ray.time);
     surface.point = trianglePoint(triangle, hit.u, hit.v, -ray.direction);
     surface.shadingNormal = surface.point.normal;
-    surface.uv = triangleUv(mesh, hit.primitive, hit.u, hit.v);
+    surface.attributes = triangleAttributes(mesh, hit.primitive, hit.u, hit.v);
     surface.material = &scene_.materials[mesh.material];
     if (!mesh.normals.empty()) {
         surface.shadingNormal =

@@ -24,7 +24,7 @@ struct Hit {
 struct Surface {
     SurfacePoint point;
     Float3 shadingNormal; ///< unit length
-    Float2 uv;
+    SurfaceAttributes attributes;
     const Material* material;
 };
 

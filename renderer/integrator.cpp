@@ -95,7 +95,7 @@ unsigned Integrator::findHits(unsigned count, unsigned bounce, PathBatch& batch,
         results[path.point] += directLight_.fromSurface(path, hit, surface);
         if (bounce > options_.depth) return false;
         batch.vertices[i] = {surface.point,
-                             Bxdf(*surface.material, surface.uv, surface.point.normal,
+                             Bxdf(*surface.material, surface.attributes, surface.point.normal,
                                   surface.shadingNormal, -path.ray.direction)};
         return true;
     };

@@ -45,6 +45,12 @@ float spotFalloff(const PunctualLight& light, Float3 direction) {
     return t * t;
 }
 
+/// What the range of a light leaves of it at this distance: glTF, KHR_lights_punctual.
+float rangeFalloff(const PunctualLight& light, float distance) {
+    const float part = distance / light.range;
+    return clamp01(1.0f - (part * part) * (part * part));
+}
+
 } // namespace
 
 Lights::Lights(const Scene& scene)
@@ -101,7 +107,7 @@ bool Lights::sampleTriangle(const Light& light, const SurfacePoint& receiver, fl
     const float cosine = -Dot(point.normal, sample.direction);
     if (!(distance > 0.0f) || cosine == 0.0f) return false;
     sample.radiance = emittedRadiance(scene_.materials[mesh.material],
-                                      triangleUv(mesh, light.primitive, weight.x, weight.y),
+                                      triangleAttributes(mesh, light.primitive, weight.x, weight.y),
                                       point.normal, -sample.direction);
     sample.shadowRay = connect(receiver, point, time);
     sample.pdf *= solidAnglePdf(0.5f * triangle.areaNormal().Length(), distance * distance, cosine);
@@ -116,7 +122,7 @@ bool Lights::sampleSphere(const Light& light, const SurfacePoint& receiver, floa
     const SurfacePoint point = spherePoint(
         sphere, receiver.position + sample.direction * directions.distance(sample.direction), time);
     sample.radiance =
-        emittedRadiance(scene_.materials[sphere.material], sphereUv(point.normal), point.normal,
+        emittedRadiance(scene_.materials[sphere.material], {sphereUv(point.normal)}, point.normal,
                         directions.inside() ? -point.normal : point.normal);
     sample.shadowRay = connect(receiver, point, time);
     sample.pdf *= directions.pdf(sample.direction);
@@ -135,7 +141,8 @@ bool Lights::samplePunctual(const Light& light, const SurfacePoint& receiver, fl
     sample.direction = punctual.position - receiver.position;
     const float distance = sample.direction.Normalize();
     if (!(distance > 0.0f)) return false;
-    sample.radiance = punctual.intensity / (distance * distance);
+    sample.radiance =
+        punctual.intensity * (rangeFalloff(punctual, distance) / (distance * distance));
     if (punctual.kind == PunctualLight::Kind::spot) {
         sample.radiance *= spotFalloff(punctual, -sample.direction);
     }

@@ -6,20 +6,18 @@
 
 #pragma once
 
-#include "texture.h"
+#include "texture_map.h"
 
 #include "wellstrat/vector.h"
 
 #include <array>
 #include <cstdint>
-#include <memory>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace wellstrat::render {
-
-using TexturePtr = std::shared_ptr<const Texture>;
 
 /// The metallic-roughness material of glTF 2.0. A texture multiplies the factor beside it.
 /// Surfaces are opaque and scatter on both sides; they emit on the side of the geometric normal,
@@ -32,9 +30,12 @@ struct Material {
     bool doubleSided = false;
     /// 0.04 is a dielectric of index of refraction 1.5; 0 makes a non-metal an ideal Lambertian.
     float specularF0 = 0.04f;
-    TexturePtr baseColorTexture;         ///< decoded from sRGB
-    TexturePtr metallicRoughnessTexture; ///< y (green) is roughness, z (blue) is metallic
-    TexturePtr emissionTexture;          ///< decoded from sRGB
+    Float3 specularColor = Float3(1.0f); ///< multiplies `specularF0`
+    TextureMap baseColorTexture;         ///< decoded from sRGB
+    TextureMap metallicRoughnessTexture; ///< y (green) is roughness, z (blue) is metallic
+    TextureMap emissionTexture;          ///< decoded from sRGB
+    TextureMap specularColorTexture;     ///< decoded from sRGB
+    TextureMap specularTexture;          ///< a gray that multiplies `specularF0`
 };
 
 /// Triangles of one material. Indices are below positions.size(); the optional arrays are empty or
@@ -44,6 +45,7 @@ struct Mesh {
     std::vector<Float3> positionsAtEnd; ///< at its closing; empty: the mesh stands still
     std::vector<Float3> normals;        ///< for shading; empty: flat
     std::vector<Float2> uvs;
+    std::vector<Float2> secondUvs;
     std::vector<std::array<uint32_t, 3>> triangles;
     uint32_t material = 0;
 };
@@ -65,6 +67,9 @@ struct PunctualLight {
     Float3 intensity;   ///< W / sr; directional: irradiance on a plane across it, W / m^2
     float cosInner = 1; ///< of spots: full intensity inside the inner cone, none outside the
     float cosOuter = 0; ///< outer one, between them as glTF's KHR_lights_punctual says
+    /// At this distance and beyond there is no light, and less than by the square of the distance
+    /// before it, as glTF's KHR_lights_punctual says; not of directional lights.
+    float range = std::numeric_limits<float>::infinity();
 };
 
 /// Light from infinitely far away.
@@ -74,7 +79,7 @@ struct Environment {
     TexturePtr map; ///< null: constant
 };
 
-/// A thin-lens camera.
+/// A thin-lens camera, or one that sees along parallel lines.
 struct Camera {
     Float3 position;
     Float3 forward;          ///< unit length
@@ -82,6 +87,16 @@ struct Camera {
     float verticalFov;       ///< radians, in (0, pi)
     float lensRadius = 0;    ///< 0: a pinhole
     float focusDistance = 1; ///< along `forward`
+    /// Above 0: the camera is orthographic, and its picture so high; its field of view is unused.
+    float orthographicHeight = 0;
+};
+
+/// A camera that a scene file brings.
+struct NamedCamera {
+    std::string name;      ///< of its place in the scene; may be empty
+    std::string otherName; ///< of the camera itself, in formats where both have names
+    Camera camera;
+    float aspect = 1; ///< width / height that it was made for, if it says so
 };
 
 struct Scene {
@@ -90,9 +105,10 @@ struct Scene {
     std::vector<Sphere> spheres;
     std::vector<PunctualLight> lights;
     std::optional<Environment> environment;
-    std::optional<Camera> camera;
-    bool cameraIsAutomatic = false; ///< chosen by framing.h, for want of another
-    float aspect = 1;               ///< width / height that the scene was composed for
+    std::vector<NamedCamera> cameras; ///< all of the file
+    std::optional<Camera> camera;     ///< the one that sees the picture
+    bool cameraIsAutomatic = false;   ///< chosen by framing.h, for want of another
+    float aspect = 1;                 ///< width / height that the scene was composed for
     /// What was replaced or left out of a scene file, one plain sentence each, for the user.
     std::vector<std::string> notes;
 };

@@ -30,10 +30,13 @@ Float3 normalizedOr(Float3 vector, Float3 fallback) {
             static_cast<float>(z * scale)};
 }
 
-Float2 triangleUv(const Mesh& mesh, uint32_t primitive, float u, float v) {
-    if (mesh.uvs.empty()) return {0.0f, 0.0f};
-    const Float2 uv = interpolate(mesh.uvs, mesh.triangles[primitive], u, v);
-    return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : Float2(0.0f, 0.0f);
+SurfaceAttributes triangleAttributes(const Mesh& mesh, uint32_t primitive, float u, float v) {
+    const auto uvOf = [&](const std::vector<Float2>& uvs) {
+        if (uvs.empty()) return Float2(0.0f, 0.0f);
+        const Float2 uv = interpolate(uvs, mesh.triangles[primitive], u, v);
+        return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : Float2(0.0f, 0.0f);
+    };
+    return {uvOf(mesh.uvs), uvOf(mesh.secondUvs)};
 }
 
 SurfacePoint trianglePoint(const Triangle& triangle, float u, float v, Float3 fallback) {

@@ -44,7 +44,7 @@ T interpolate(const std::vector<T>& values, const std::array<uint32_t, 3>& corne
 }
 
 /// Texture coordinates at these weights; (0, 0) where a mesh has none, or none that are finite.
-Float2 triangleUv(const Mesh& mesh, uint32_t primitive, float u, float v);
+SurfaceAttributes triangleAttributes(const Mesh& mesh, uint32_t primitive, float u, float v);
 
 /// Texture coordinates of the point of a sphere with this normal: x turns around the y axis, y goes
 /// down from the upper pole, evenly by area.

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Primitives that Draco has compressed.
+
+#pragma once
+
+#include "accessors.h"
+
+#include <tiny_gltf.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace wellstrat::render {
+
+constexpr auto kDracoExtension = "KHR_draco_mesh_compression";
+
+/// Can they be decompressed?
+#if WELLSTRAT_DRACO
+constexpr bool kHasDraco = true;
+#else
+constexpr bool kHasDraco = false;
+#endif
+
+struct DracoPrimitive {
+    std::map<std::string, Numbers> attributes; ///< by their names, as "POSITION"
+    std::vector<uint32_t> corners;             ///< three a triangle
+};
+
+/// What the extension of a primitive, which must have it, stands for. Throws std::runtime_error,
+/// with the name of the extension, if it cannot be decoded.
+DracoPrimitive decodeDraco(const GltfDocument& document, const tinygltf::Primitive& primitive);
+
+} // namespace wellstrat::render
