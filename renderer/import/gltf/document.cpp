@@ -3,7 +3,6 @@
 #include "document.h"
 #include "../uris.h"
 #include "container.h"
-#include "draco.h"
 #include "extensions.h"
 #include "meshopt.h"
 #include "values.h"

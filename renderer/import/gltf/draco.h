@@ -5,6 +5,7 @@
 #pragma once
 
 #include "accessors.h"
+#include "extensions.h"
 
 #include <tiny_gltf.h>
 
@@ -13,15 +14,6 @@
 #include <vector>
 
 namespace wellstrat::render {
-
-constexpr auto kDracoExtension = "KHR_draco_mesh_compression";
-
-/// Can they be decompressed?
-#if WELLSTRAT_DRACO
-constexpr bool kHasDraco = true;
-#else
-constexpr bool kHasDraco = false;
-#endif
 
 struct DracoPrimitive {
     std::map<std::string, Numbers> attributes; ///< by their names, as "POSITION"

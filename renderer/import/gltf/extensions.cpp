@@ -14,22 +14,17 @@ namespace wellstrat::render {
 namespace {
 
 constexpr std::string_view kRead[] = {
-    "EXT_mesh_gpu_instancing",
-#if WELLSTRAT_MESHOPTIMIZER
-    "EXT_meshopt_compression",
-#endif
-    "EXT_texture_webp",
-#if WELLSTRAT_DRACO
-    "KHR_draco_mesh_compression",
-#endif
-    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
-    "KHR_materials_ior",          "KHR_materials_pbrSpecularGlossiness",
-    "KHR_materials_specular",     "KHR_materials_unlit",
-    "KHR_mesh_quantization",      "KHR_node_visibility",
+    "EXT_mesh_gpu_instancing", "EXT_texture_webp",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength",
+    "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular",  "KHR_materials_unlit",
+    "KHR_mesh_quantization",   "KHR_node_visibility",
     "KHR_texture_transform",
 };
 
 bool isRead(const std::string& name) {
+    if (name == kDracoExtension) return kHasDraco;
+    if (name == kMeshoptExtension) return kHasMeshopt;
     return std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead);
 }
 

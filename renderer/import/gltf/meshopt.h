@@ -4,14 +4,14 @@
 
 #pragma once
 
+#include "extensions.h"
+
 #include <tiny_gltf.h>
 
 #include <string>
 #include <string_view>
 
 namespace wellstrat::render {
-
-constexpr auto kMeshoptExtension = "EXT_meshopt_compression";
 
 /// Which bytes a compressed buffer view has, and how it is compressed.
 struct MeshoptView {
