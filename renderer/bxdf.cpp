@@ -43,7 +43,7 @@ Float3 schlick(Float3 f0, float cosine) {
 
 Bxdf::Bxdf(const Material& material, const SurfaceAttributes& attributes, Float3 geometricNormal,
            Float3 shadingNormal, Float3 view) {
-    Float3 color = material.baseColor;
+    Float3 color = multiply(material.baseColor, attributes.color);
     if (material.baseColorTexture)
         color = multiply(color, material.baseColorTexture.lookup(attributes));
     color = clamp01(color);

@@ -15,8 +15,10 @@ inline bool emits(const Material& material) { return largestChannel(material.emi
 inline Float3 emittedRadiance(const Material& material, const SurfaceAttributes& attributes,
                               Float3 geometricNormal, Float3 direction) {
     if (!material.doubleSided && !(Dot(geometricNormal, direction) > 0.0f)) return Float3(0.0f);
-    if (!material.emissionTexture) return material.emission;
-    return multiply(material.emission, material.emissionTexture.lookup(attributes));
+    Float3 radiance = material.emission;
+    if (material.emissionTexture)
+        radiance = multiply(radiance, material.emissionTexture.lookup(attributes));
+    return material.colorIsEmission ? multiply(radiance, attributes.color) : radiance;
 }
 
 } // namespace wellstrat::render

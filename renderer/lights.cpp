@@ -5,6 +5,7 @@
 #include "framing.h"
 #include "geometry.h"
 #include "light_power.h"
+#include "opacity.h"
 #include "shapes.h"
 #include "sphere_directions.h"
 
@@ -106,9 +107,11 @@ bool Lights::sampleTriangle(const Light& light, const SurfacePoint& receiver, fl
     const float distance = sample.direction.Normalize();
     const float cosine = -Dot(point.normal, sample.direction);
     if (!(distance > 0.0f) || cosine == 0.0f) return false;
-    sample.radiance = emittedRadiance(scene_.materials[mesh.material],
-                                      triangleAttributes(mesh, light.primitive, weight.x, weight.y),
-                                      point.normal, -sample.direction);
+    const Material& material = scene_.materials[mesh.material];
+    const SurfaceAttributes attributes =
+        triangleAttributes(mesh, light.primitive, weight.x, weight.y);
+    sample.radiance = emittedRadiance(material, attributes, point.normal, -sample.direction) *
+                      opacityAt(material, attributes);
     sample.shadowRay = connect(receiver, point, time);
     sample.pdf *= solidAnglePdf(0.5f * triangle.areaNormal().Length(), distance * distance, cosine);
     return true;

@@ -20,9 +20,14 @@
 namespace wellstrat::render {
 
 /// The metallic-roughness material of glTF 2.0. A texture multiplies the factor beside it.
-/// Surfaces are opaque and scatter on both sides; they emit on the side of the geometric normal,
-/// or on both if `doubleSided`.
+/// Surfaces scatter on both sides; they emit on the side of the geometric normal, or on both if
+/// `doubleSided`.
 struct Material {
+    /// What the opacity means: nothing; that there is a surface where it is not below the cutoff;
+    /// or which part of the surface there is, the rest of which lets light pass straight on.
+    /// Spheres are opaque.
+    enum class Alpha : uint8_t { opaque, mask, blend };
+
     Float3 baseColor = Float3(0.8f);
     float metallic = 0;
     float roughness = 1; ///< of glTF: the alpha of GGX is its square
@@ -36,6 +41,25 @@ struct Material {
     TextureMap emissionTexture;          ///< decoded from sRGB
     TextureMap specularColorTexture;     ///< decoded from sRGB
     TextureMap specularTexture;          ///< a gray that multiplies `specularF0`
+    /// Directions (2 color - 1) whose x goes with u, y against v and z with the normal; not of
+    /// spheres.
+    TextureMap normalTexture;
+    float normalScale = 1;     ///< multiplies its x and y
+    TextureMap opacityTexture; ///< a gray that multiplies `opacity`
+    float opacity = 1, opacityCutoff = 0.5f;
+    Alpha alpha = Alpha::opaque;
+    bool colorIsEmission = false; ///< the colors of vertices multiply the emission, too
+};
+
+/// Of a vertex: what multiplies the color and the opacity of the material.
+struct VertexColor {
+    Float3 color;
+    float opacity;
+
+    VertexColor operator*(float s) const { return {color * s, opacity * s}; }
+    VertexColor operator+(const VertexColor& other) const {
+        return {color + other.color, opacity + other.opacity};
+    }
 };
 
 /// Triangles of one material. Indices are below positions.size(); the optional arrays are empty or
@@ -46,6 +70,7 @@ struct Mesh {
     std::vector<Float3> normals;        ///< for shading; empty: flat
     std::vector<Float2> uvs;
     std::vector<Float2> secondUvs;
+    std::vector<VertexColor> colors;
     std::vector<std::array<uint32_t, 3>> triangles;
     uint32_t material = 0;
 };

@@ -50,7 +50,7 @@ bool fits(const std::vector<T>& optional, const Mesh& mesh) {
 void checkMesh(const Mesh& mesh, std::size_t materials, const std::string& name) {
     require(mesh.material < materials, name + " has a material that does not exist");
     require(fits(mesh.positionsAtEnd, mesh) && fits(mesh.normals, mesh) && fits(mesh.uvs, mesh) &&
-                fits(mesh.secondUvs, mesh),
+                fits(mesh.secondUvs, mesh) && fits(mesh.colors, mesh),
             name + " has arrays of different lengths");
     for (const auto& triangle : mesh.triangles) {
         require(std::max({triangle[0], triangle[1], triangle[2]}) < mesh.positions.size(),

@@ -73,6 +73,13 @@ private:
         add(m.specularColor);
         add(m.specularColorTexture);
         add(m.specularTexture);
+        add(m.normalTexture);
+        add(m.normalScale);
+        add(m.opacityTexture);
+        add(m.opacity);
+        add(m.opacityCutoff);
+        add(m.alpha);
+        add(m.colorIsEmission);
     }
     void add(const Mesh& mesh) {
         addAll(mesh.positions);
@@ -80,6 +87,7 @@ private:
         addAll(mesh.normals);
         addAll(mesh.uvs);
         addAll(mesh.secondUvs);
+        addAll(mesh.colors);
         addAll(mesh.triangles);
         add(mesh.material);
     }

@@ -20,6 +20,8 @@ using TexturePtr = std::shared_ptr<const Texture>;
 /// What meshes tell from vertex to vertex, at one point of a surface.
 struct SurfaceAttributes {
     Float2 uv{0, 0}, secondUv{0, 0}; ///< texture coordinates
+    Float3 color{1, 1, 1};           ///< multiplies that of the material
+    float opacity = 1;               ///< so does this
 };
 
 /// Maps (u, v) to u column `u` + v column `v` + offset.

@@ -3,6 +3,7 @@
 // From the space of a mesh into the world.
 
 #include "placing.h"
+#include "../color.h"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,8 @@ bool isNear(Float3 p) {
 Float2 finiteOrZero(Float2 uv) {
     return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : Float2(0, 0);
 }
+
+VertexColor inRange(const VertexColor& c) { return {clamp01(c.color), clamp01(c.opacity)}; }
 
 class Placer {
 public:
@@ -80,6 +83,7 @@ private:
         if (!source_.uvs.empty()) mesh_.uvs.push_back(finiteOrZero(source_.uvs[i]));
         if (!source_.secondUvs.empty())
             mesh_.secondUvs.push_back(finiteOrZero(source_.secondUvs[i]));
+        if (!source_.colors.empty()) mesh_.colors.push_back(inRange(source_.colors[i]));
         return index;
     }
 

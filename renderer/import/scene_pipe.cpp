@@ -137,6 +137,13 @@ void transfer(Stream& stream, Of<Stream, Material>& material) {
     transfer<Stream>(stream, material.emissionTexture);
     transfer<Stream>(stream, material.specularColorTexture);
     transfer<Stream>(stream, material.specularTexture);
+    transfer<Stream>(stream, material.normalTexture);
+    transferValue(stream, material.normalScale);
+    transfer<Stream>(stream, material.opacityTexture);
+    transferValue(stream, material.opacity);
+    transferValue(stream, material.opacityCutoff);
+    transferValue(stream, material.alpha);
+    transferValue(stream, material.colorIsEmission);
 }
 
 template <typename Stream>
@@ -146,6 +153,7 @@ void transfer(Stream& stream, Of<Stream, Mesh>& mesh) {
     transferArray(stream, mesh.normals);
     transferArray(stream, mesh.uvs);
     transferArray(stream, mesh.secondUvs);
+    transferArray(stream, mesh.colors);
     transferArray(stream, mesh.triangles);
     transferValue(stream, mesh.material);
 }

@@ -4,6 +4,7 @@
 
 #include "gltf_files.h"
 #include "renderer/color.h"
+#include "renderer/opacity.h"
 
 #include <gtest/gtest.h>
 
@@ -194,6 +195,52 @@ TEST(GltfMaterial, FilterModes) {
     expectNear(colorAt(folder, json::object(), uv), {0.6f, 0.4f, 0});
 }
 
+TEST(GltfMaterial, AlphaModes) {
+    const TempFolder folder;
+    writeRgba(folder, "a.png", 1, {204, 102, 51, 102});
+    json gltf = withPicture("a.png");
+    auto& material = gltf["materials"][0];
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.5};
+    Material read = materialOf(sceneOf(folder, gltf));
+    EXPECT_EQ(read.alpha, Material::Alpha::opaque);
+    EXPECT_EQ(opacityAt(read, {}), 1.0f);
+    material["alphaMode"] = "BLEND";
+    read = materialOf(sceneOf(folder, gltf));
+    EXPECT_EQ(read.alpha, Material::Alpha::blend);
+    EXPECT_FLOAT_EQ(opacityAt(read, {}), 0.5f * 0.4f);
+    expectNear(read.baseColorTexture.lookup({}), {0.603827f, 0.132868f, 0.033105f}, 1e-5f);
+    material["alphaMode"] = "MASK";
+    EXPECT_EQ(opacityAt(materialOf(sceneOf(folder, gltf)), {}), 0.0f);
+    material["alphaCutoff"] = 0.19;
+    EXPECT_EQ(opacityAt(materialOf(sceneOf(folder, gltf)), {}), 1.0f);
+}
+
+TEST(GltfMaterial, VertexColors) {
+    const TempFolder folder;
+    json gltf = quadGltf();
+    auto& attributes = primitiveOf(gltf)["attributes"];
+    attributes["COLOR_0"] = addAccessor<uint8_t>(
+        gltf, {255, 0, 51, 0, 255, 0, 0, 0, 255, 255, 255, 255}, "VEC3", 3, true);
+    Mesh mesh = sceneOf(folder, gltf).meshes.at(0);
+    expectNear(mesh.colors.at(0).color, {1, 0, 0.2f});
+    EXPECT_EQ(mesh.colors[0].opacity, 1.0f);
+    attributes["COLOR_0"] = addAccessor<uint16_t>(
+        gltf, {65535, 0, 0, 13107, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 4, true);
+    mesh = sceneOf(folder, gltf).meshes.at(0);
+    expectNear(mesh.colors.at(0).color, {1, 0, 0});
+    EXPECT_FLOAT_EQ(mesh.colors[0].opacity, 0.2f);
+}
+
+TEST(GltfMaterial, NormalMaps) {
+    const TempFolder folder;
+    writeRgba(folder, "n.png", 1, {204, 102, 255, 255});
+    json gltf = withPicture("n.png");
+    gltf["materials"][0]["normalTexture"] = {{"index", 0}, {"scale", 0.5}};
+    const Material material = materialOf(sceneOf(folder, gltf));
+    expectNear(material.normalTexture.lookup({}), {0.8f, 0.4f, 1});
+    EXPECT_EQ(material.normalScale, 0.5f);
+}
+
 TEST(GltfMaterial, SpecularGlossiness) {
     const TempFolder folder;
     json gltf = quadGltf();
@@ -238,6 +285,7 @@ TEST(GltfMaterial, Unlit) {
     expectNear(material.emissionTexture.lookup({{0.25f, 0.25f}, {}}), {1, 0, 0});
     EXPECT_TRUE(isBlack(material.baseColor));
     EXPECT_EQ(material.specularF0, 0.0f);
+    EXPECT_TRUE(material.colorIsEmission);
     EXPECT_TRUE(hasNote(scene, "Unlit surfaces give off their color as light."));
 }
 

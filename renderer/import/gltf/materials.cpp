@@ -66,8 +66,8 @@ public:
         else
             readMetallicRoughness();
         readEmission();
+        readNormals();
         if (extension("KHR_materials_unlit")) makeUnlit();
-        noteWhatIsLeftOut();
         if (result_.uvSets[0] < 0) result_.uvSets[0] = 0; // the usual one
         return result_;
     }
@@ -97,6 +97,7 @@ private:
             texture(TextureReference(pbr.baseColorTexture), TextureUse::reflectance);
         material_.metallicRoughnessTexture =
             texture(TextureReference(pbr.metallicRoughnessTexture), TextureUse::data);
+        readOpacity(color[3], TextureReference(pbr.baseColorTexture));
         if (const auto* ior = extension("KHR_materials_ior")) {
             const float index = numberOr(*ior, "ior", 1.5f);
             const float root = (index - 1) / (index + 1); // Fresnel's equations, normal incidence
@@ -121,6 +122,9 @@ private:
         const float glossiness = inUnitRange(numberOr(glossy, "glossinessFactor", 1));
         material_.roughness = 1 - glossiness;
         material_.baseColorTexture = texture({glossy, "diffuseTexture"}, TextureUse::reflectance);
+        const tinygltf::Value* const diffuse = find(glossy, "diffuseFactor");
+        const bool hasAlpha = diffuse && diffuse->ArrayLen() == 4 && diffuse->Get(3).IsNumber();
+        readOpacity(hasAlpha ? diffuse->Get(3).GetNumberAsDouble() : 1, {glossy, "diffuseTexture"});
         const TextureReference both(glossy, "specularGlossinessTexture");
         material_.specularColorTexture = texture(both, TextureUse::reflectance);
         TextureMap map = texture(both, TextureUse::opacity);
@@ -154,13 +158,12 @@ private:
 
     void makeUnlit() {
         notes_.add("Unlit surfaces give off their color as light.");
-        Material unlit;
-        unlit.emission = material_.baseColor;
-        unlit.emissionTexture = material_.baseColorTexture;
-        unlit.baseColor = Float3(0.0f);
-        unlit.specularF0 = 0;
-        unlit.doubleSided = material_.doubleSided;
-        material_ = unlit;
+        material_.emission = material_.baseColor;
+        material_.emissionTexture = std::exchange(material_.baseColorTexture, {});
+        material_.colorIsEmission = true;
+        material_.baseColor = Float3(0.0f);
+        material_.metallic = material_.specularF0 = 0;
+        material_.metallicRoughnessTexture = {};
     }
 
     /// Null if there is none, or none that can be read.
@@ -195,10 +198,21 @@ private:
         return false;
     }
 
-    void noteWhatIsLeftOut() {
-        if (source_.normalTexture.index >= 0) notes_.add("Normal and bump maps are left out.");
-        if (source_.alphaMode != "OPAQUE")
-            notes_.add("Transparency is left out: all surfaces are opaque.");
+    void readNormals() {
+        material_.normalTexture =
+            texture(TextureReference(source_.normalTexture), TextureUse::data);
+        const auto scale = static_cast<float>(source_.normalTexture.scale);
+        if (std::isfinite(scale)) material_.normalScale = scale;
+    }
+
+    /// Of the factor and the texture of the color.
+    void readOpacity(double factor, const TextureReference& color) {
+        if (source_.alphaMode != "MASK" && source_.alphaMode != "BLEND") return;
+        const bool isMask = source_.alphaMode == "MASK";
+        material_.alpha = isMask ? Material::Alpha::mask : Material::Alpha::blend;
+        material_.opacity = inUnitRange(static_cast<float>(factor));
+        material_.opacityCutoff = static_cast<float>(source_.alphaCutoff);
+        material_.opacityTexture = texture(color, TextureUse::opacity);
     }
 
     const tinygltf::Material& source_;

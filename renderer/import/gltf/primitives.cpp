@@ -139,6 +139,11 @@ Mesh GltfPrimitive::mesh(const std::vector<double>& weights, std::array<int, 2> 
     };
     mesh.uvs = uvs(uvSets[0]);
     mesh.secondUvs = uvs(uvSets[1]);
+    mesh.colors = converted<VertexColor>(
+        withTargets("COLOR_0", weights), [](const Numbers& numbers, std::size_t i) {
+            const auto color = numbers.element<4>(i, 1); // alpha may be missing
+            return VertexColor{{color[0], color[1], color[2]}, color[3]};
+        });
     return mesh;
 }
 
