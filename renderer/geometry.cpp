@@ -127,6 +127,8 @@ Geometry::Geometry(const Scene& scene) : scene_(scene) {
         const Material::Alpha alpha = scene.materials[mesh.material].alpha;
         hasHoles_ = hasHoles_ || alpha != Material::Alpha::opaque;
         isBlended_ = isBlended_ || alpha == Material::Alpha::blend;
+        const bool needs = !mesh.colors.empty() || isTextured(scene.materials[mesh.material]);
+        needsAttributes_.push_back(needs ? 1 : 0);
     }
     auto embree = std::make_unique<Embree>();
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
@@ -187,7 +189,8 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
     const Triangle triangle = triangleAt(mesh, hit.primitive, ray.time);
     surface.point = trianglePoint(triangle, hit.u, hit.v, -ray.direction);
     surface.shadingNormal = surface.point.normal;
-    surface.attributes = triangleAttributes(mesh, hit.primitive, hit.u, hit.v);
+    if (needsAttributes_[hit.shape] != 0)
+        surface.attributes = triangleAttributes(mesh, hit.primitive, hit.u, hit.v);
     surface.material = &scene_.materials[mesh.material];
     if (!mesh.normals.empty()) {
         surface.shadingNormal =

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace wellstrat::render {
 
@@ -59,6 +60,7 @@ private:
     struct Embree;
     const Scene& scene_;
     bool hasHoles_ = false, isBlended_ = false;
+    std::vector<uint8_t> needsAttributes_; ///< by mesh: is 1 where its material looks at them
     std::unique_ptr<const Embree> embree_;
 };
 

@@ -52,6 +52,12 @@ float rangeFalloff(const PunctualLight& light, float distance) {
     return clamp01(1.0f - (part * part) * (part * part));
 }
 
+/// Does it give off the same light everywhere?
+bool isUniformLight(const Material& material) {
+    return !material.emissionTexture && !material.colorIsEmission &&
+           material.alpha == Material::Alpha::opaque;
+}
+
 } // namespace
 
 Lights::Lights(const Scene& scene)
@@ -108,10 +114,12 @@ bool Lights::sampleTriangle(const Light& light, const SurfacePoint& receiver, fl
     const float cosine = -Dot(point.normal, sample.direction);
     if (!(distance > 0.0f) || cosine == 0.0f) return false;
     const Material& material = scene_.materials[mesh.material];
-    const SurfaceAttributes attributes =
-        triangleAttributes(mesh, light.primitive, weight.x, weight.y);
-    sample.radiance = emittedRadiance(material, attributes, point.normal, -sample.direction) *
-                      opacityAt(material, attributes);
+    SurfaceAttributes attributes;
+    if (!isUniformLight(material))
+        attributes = triangleAttributes(mesh, light.primitive, weight.x, weight.y);
+    sample.radiance = emittedRadiance(material, attributes, point.normal, -sample.direction);
+    if (material.alpha != Material::Alpha::opaque)
+        sample.radiance *= opacityAt(material, attributes);
     sample.shadowRay = connect(receiver, point, time);
     sample.pdf *= solidAnglePdf(0.5f * triangle.areaNormal().Length(), distance * distance, cosine);
     return true;

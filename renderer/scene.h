@@ -51,6 +51,11 @@ struct Material {
     bool colorIsEmission = false; ///< the colors of vertices multiply the emission, too
 };
 
+inline bool isTextured(const Material& m) {
+    return m.baseColorTexture || m.metallicRoughnessTexture || m.emissionTexture ||
+           m.specularColorTexture || m.specularTexture || m.normalTexture || m.opacityTexture;
+}
+
 /// Of a vertex: what multiplies the color and the opacity of the material.
 struct VertexColor {
     Float3 color;

@@ -147,11 +147,17 @@ struct Neighbors {
     float fraction;
 };
 
-Neighbors neighbors(float coordinate, unsigned size, Wrap wrap) {
-    const float position = inPicture(coordinate, wrap) * static_cast<float>(size) - 0.5f;
+Neighbors neighborsAt(float coordinateInPicture, unsigned size, Wrap wrap) {
+    const float position = coordinateInPicture * static_cast<float>(size) - 0.5f;
     const float below = std::floor(position);
     const int first = static_cast<int>(below);
     return {wrapped(first, size, wrap), wrapped(first + 1, size, wrap), position - below};
+}
+
+Neighbors neighbors(float coordinate, unsigned size, Wrap wrap) {
+    if (wrap == Wrap::repeat) // nearly always: worth to be compiled for itself
+        return neighborsAt(coordinate - std::floor(coordinate), size, Wrap::repeat);
+    return neighborsAt(inPicture(coordinate, wrap), size, wrap);
 }
 
 unsigned nearest(float coordinate, unsigned size, Wrap wrap) {
