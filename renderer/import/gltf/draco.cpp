@@ -33,12 +33,12 @@ bool isNormalized(const GltfDocument& document, const tinygltf::Primitive& primi
 
 Numbers numbersOf(const draco::Mesh& mesh, draco::PointAttribute& attribute, bool normalized) {
     attribute.set_normalized(normalized);
-    const auto components = attribute.num_components();
+    const auto components = static_cast<int8_t>(attribute.num_components());
     Numbers numbers;
-    numbers.components = components;
-    numbers.values.resize(std::size_t{mesh.num_points()} * components);
+    numbers.components = attribute.num_components();
+    numbers.values.resize(mesh.num_points() * numbers.components);
     for (draco::PointIndex i(0); i < mesh.num_points(); ++i) {
-        float* const values = &numbers.values[std::size_t{i.value()} * components];
+        float* const values = &numbers.values[i.value() * numbers.components];
         if (!attribute.ConvertValue<float>(attribute.mapped_index(i), components, values))
             fail("an attribute cannot be decoded");
         if (normalized) // the most negative integer counts as the next one
