@@ -41,15 +41,16 @@ Float3 schlick(Float3 f0, float cosine) {
 
 } // namespace
 
-Bxdf::Bxdf(const Material& material, Float2 uv, Float3 geometricNormal, Float3 shadingNormal,
-           Float3 view) {
-    Float3 color = material.baseColor;
-    if (material.baseColorTexture) color = multiply(color, material.baseColorTexture->lookup(uv));
+Bxdf::Bxdf(const Material& material, const SurfaceAttributes& attributes, Float3 geometricNormal,
+           Float3 shadingNormal, Float3 view) {
+    Float3 color = multiply(material.baseColor, attributes.color);
+    if (material.baseColorTexture)
+        color = multiply(color, material.baseColorTexture.lookup(attributes));
     color = clamp01(color);
     float metallic = material.metallic;
     float roughness = material.roughness;
     if (material.metallicRoughnessTexture) {
-        const Float3 factors = material.metallicRoughnessTexture->lookup(uv);
+        const Float3 factors = material.metallicRoughnessTexture.lookup(attributes);
         roughness *= factors.y;
         metallic *= factors.z;
     }
@@ -68,9 +69,15 @@ Bxdf::Bxdf(const Material& material, Float2 uv, Float3 geometricNormal, Float3 s
     view_.z = std::max(view_.z, 0.5f * kSmallestCosine);
 
     alpha_ = std::max(roughness * roughness, kSmallestAlpha);
-    const Schlick dielectric{clamp01(material.specularF0)};
+    Float3 dielectricF0 = material.specularColor * material.specularF0;
+    if (material.specularColorTexture)
+        dielectricF0 = multiply(dielectricF0, material.specularColorTexture.lookup(attributes));
+    if (material.specularTexture) dielectricF0 *= material.specularTexture.lookup(attributes).x;
+    dielectricF0 = clamp01(dielectricF0);
+    // The diffuse lobe is white behind the interface: what the brightest channel loses, all lose.
+    const Schlick dielectric{largestChannel(dielectricF0)};
     dielectricF0_ = dielectric.f0;
-    f0_ = lerp(Float3(dielectric.f0), color, metallic);
+    f0_ = lerp(dielectricF0, color, metallic);
     const float transmitted = 1.0f - dielectric.at(view_.z);
     const Float3 diffuseAlbedo = color * ((1.0f - metallic) * transmitted);
     diffuse_ = diffuseAlbedo * (F_INVPI / std::max(1.0f - dielectric.mean(), 0x1p-20f));

@@ -41,10 +41,10 @@ class Bxdf {
 public:
     Bxdf() = default;
 
-    /// `material` with its textures looked up at `uv`, at a point with this geometric and shading
-    /// normal; `view` has unit length and points away from the surface, to either side.
-    Bxdf(const Material& material, Float2 uv, Float3 geometricNormal, Float3 shadingNormal,
-         Float3 view);
+    /// `material` with its textures looked up by `attributes`, at a point with this geometric and
+    /// shading normal; `view` has unit length and points away from the surface, to either side.
+    Bxdf(const Material& material, const SurfaceAttributes& attributes, Float3 geometricNormal,
+         Float3 shadingNormal, Float3 view);
 
     /// For a unit vector that points to where light comes from. Directions below the shading
     /// normal have value and pdf 0; those below the geometric normal only the value.

@@ -9,7 +9,7 @@
 
 namespace wellstrat::render {
 
-/// A thin-lens camera of a picture of width x height pixels. Immutable. Kolb et al. 1995, "A
+/// The camera of a picture of width x height pixels. Immutable. Kolb et al. 1995, "A
 /// Realistic Camera Model for Computer Graphics", section 3.1, has the thin lens.
 class PictureCamera {
 public:
@@ -23,7 +23,9 @@ public:
 private:
     Float3 position_;
     Float3 corner_, stepX_, stepY_; ///< of the plane of focus, as seen from the position
-    Float3 lensX_, lensY_;          ///< radii of the lens; 0 for a pinhole
+    bool isOrthographic_;
+    Float3 toFocus_;       ///< from the position to the middle of the plane of focus
+    Float3 lensX_, lensY_; ///< radii of the lens; 0 for a pinhole
 };
 
 } // namespace wellstrat::render

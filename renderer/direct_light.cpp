@@ -100,11 +100,13 @@ Float3 DirectLight::lightSample(const Path& path, const Vertex& vertex, Float2 x
     LightSample light;
     if (!lights_.sample(vertex.point, path.ray.time, xi, light)) return Float3(0.0f);
     const BxdfValue bxdf = vertex.bxdf.evaluate(light.direction);
-    if (isBlack(bxdf.value) || geometry_.occluded(light.shadowRay)) return Float3(0.0f);
+    if (isBlack(bxdf.value)) return Float3(0.0f);
+    const float passing = geometry_.transmittance(light.shadowRay);
+    if (passing == 0.0f) return Float3(0.0f);
     const float weight =
         light.punctual ? 1.0f / (static_cast<float>(path.lightSamples) * light.pdf)
                        : sampleWeight(options_.strategy, path.lightSamples, light.pdf, bxdf.pdf);
-    return multiply(multiply(path.throughput, bxdf.value), light.radiance) * weight;
+    return multiply(multiply(path.throughput, bxdf.value), light.radiance) * (weight * passing);
 }
 
 Float3 DirectLight::environmentSample(const Path& path, const Vertex& vertex, Float2 xi) const {
@@ -112,16 +114,17 @@ Float3 DirectLight::environmentSample(const Path& path, const Vertex& vertex, Fl
     const Float3 direction = environment_->sample(xi, pdf);
     const BxdfValue bxdf = vertex.bxdf.evaluate(direction);
     if (isBlack(bxdf.value)) return Float3(0.0f);
-    if (geometry_.occluded(leave(vertex.point, direction, path.ray.time))) return Float3(0.0f);
+    const float passing = geometry_.transmittance(leave(vertex.point, direction, path.ray.time));
+    if (passing == 0.0f) return Float3(0.0f);
     const float weight = sampleWeight(options_.strategy, path.lightSamples, pdf, bxdf.pdf);
     return multiply(multiply(path.throughput, bxdf.value), environment_->radiance(direction)) *
-           weight;
+           (weight * passing);
 }
 
 Float3 DirectLight::fromSurface(const Path& path, const Hit& hit, const Surface& surface) const {
     if (!emits(*surface.material)) return Float3(0.0f);
-    const Float3 radiance =
-        emittedRadiance(*surface.material, surface.uv, surface.point.normal, -path.ray.direction);
+    const Float3 radiance = emittedRadiance(*surface.material, surface.attributes,
+                                            surface.point.normal, -path.ray.direction);
     if (isBlack(radiance)) return radiance;
     const float pdf = lights_.pdf(path.ray, hit, surface);
     return multiply(path.throughput, radiance) * chanceWeight(options_.strategy, path, pdf);

@@ -2,8 +2,10 @@
 #include "geometry.h"
 
 #include "embree_spheres.h"
+#include "opacity.h"
 #include "shapes.h"
 
+#include <RixRNG.h>
 #include <embree3/rtcore.h>
 
 #include <cstring>
@@ -56,12 +58,50 @@ RTCRay embreeRay(const Ray& ray) {
     return result;
 }
 
+/// Of what may be not all there.
+float opacityOf(const Scene& scene, const RTCHit& hit) {
+    if (hit.geomID >= scene.meshes.size()) return 1.0f;
+    const Mesh& mesh = scene.meshes[hit.geomID];
+    const Material& material = scene.materials[mesh.material];
+    if (material.alpha == Material::Alpha::opaque) return 1.0f;
+    return opacityAt(material, triangleAttributes(mesh, hit.primID, hit.u, hit.v));
+}
+
+/// A search for the closest hit, for callbacks that have a ClosestHit.
+struct Search : ClosestHit {
+    const Scene* scene = nullptr; ///< null: there are no holes in it
+    uint32_t chance = 0;
+
+    /// Independent for each surface, and the same in whichever order Embree visits them.
+    bool passes(const RTCHit& hit) const {
+        const float opacity = opacityOf(*scene, hit);
+        if (opacity >= 1.0f) return false;
+        return !(HashToRandom(chance ^ hit.geomID * 0x9e3779b9u, hit.primID) < opacity);
+    }
+};
+
 /// Embree calls this for each hit that is no farther than the closest so far.
 void keepFirst(const RTCFilterFunctionNArguments* arguments) {
-    auto& closest = *reinterpret_cast<ClosestHit*>(arguments->context);
+    auto& search = static_cast<Search&>(*reinterpret_cast<ClosestHit*>(arguments->context));
     const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
-    if (!closest.offer(ray.tfar, hit.geomID, hit.primID)) arguments->valid[0] = 0;
+    if ((search.scene && search.passes(hit)) || !search.offer(ray.tfar, hit.geomID, hit.primID))
+        arguments->valid[0] = 0;
+}
+
+/// Light on its way through all that lets some of it pass.
+struct Passage {
+    RTCIntersectContext context; ///< first, so that callbacks find the rest
+    const Scene* scene;
+    float transmittance = 1;
+};
+
+/// Embree calls this for each hit, until one is not refused.
+void dim(const RTCFilterFunctionNArguments* arguments) {
+    auto& passage = *reinterpret_cast<Passage*>(arguments->context);
+    const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
+    passage.transmittance *= 1.0f - opacityOf(*passage.scene, hit);
+    if (passage.transmittance > 0.0f) arguments->valid[0] = 0;
 }
 
 } // namespace
@@ -83,6 +123,13 @@ struct Geometry::Embree {
 };
 
 Geometry::Geometry(const Scene& scene) : scene_(scene) {
+    for (const Mesh& mesh : scene.meshes) {
+        const Material::Alpha alpha = scene.materials[mesh.material].alpha;
+        hasHoles_ = hasHoles_ || alpha != Material::Alpha::opaque;
+        isBlended_ = isBlended_ || alpha == Material::Alpha::blend;
+        const bool needs = !mesh.colors.empty() || isTextured(scene.materials[mesh.material]);
+        needsAttributes_.push_back(needs ? 1 : 0);
+    }
     auto embree = std::make_unique<Embree>();
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         if (scene.meshes[i].triangles.empty()) continue;
@@ -104,9 +151,11 @@ Geometry::Geometry(const Scene& scene) : scene_(scene) {
 Geometry::~Geometry() = default;
 
 bool Geometry::closestHit(const Ray& ray, Hit& hit) const {
-    ClosestHit closest;
+    Search closest;
     rtcInitIntersectContext(&closest.context);
     closest.context.filter = keepFirst;
+    if (hasHoles_) closest.scene = &scene_;
+    closest.chance = ray.chance;
     RTCRayHit result;
     result.ray = embreeRay(ray);
     result.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -116,12 +165,14 @@ bool Geometry::closestHit(const Ray& ray, Hit& hit) const {
     return true;
 }
 
-bool Geometry::occluded(const Ray& ray) const {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
+float Geometry::transmittance(const Ray& ray) const {
+    Passage passage;
+    rtcInitIntersectContext(&passage.context);
+    passage.scene = &scene_;
+    if (hasHoles_) passage.context.filter = dim;
     RTCRay result = embreeRay(ray);
-    rtcOccluded1(embree_->scene, &context, &result);
-    return result.tfar < 0.0f;
+    rtcOccluded1(embree_->scene, &passage.context, &result);
+    return result.tfar < 0.0f ? 0.0f : passage.transmittance;
 }
 
 Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
@@ -131,19 +182,24 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
         surface.point = spherePoint(sphere, ray.origin + ray.direction * hit.distance, ray.time);
         surface.shadingNormal = surface.point.normal;
         surface.material = &scene_.materials[sphere.material];
-        surface.uv = sphereUv(surface.point.normal);
+        surface.attributes.uv = sphereUv(surface.point.normal);
         return surface;
     }
     const Mesh& mesh = scene_.meshes[hit.shape];
     const Triangle triangle = triangleAt(mesh, hit.primitive, ray.time);
     surface.point = trianglePoint(triangle, hit.u, hit.v, -ray.direction);
     surface.shadingNormal = surface.point.normal;
-    surface.uv = triangleUv(mesh, hit.primitive, hit.u, hit.v);
+    if (needsAttributes_[hit.shape] != 0)
+        surface.attributes = triangleAttributes(mesh, hit.primitive, hit.u, hit.v);
     surface.material = &scene_.materials[mesh.material];
     if (!mesh.normals.empty()) {
         surface.shadingNormal =
             normalizedOr(interpolate(mesh.normals, mesh.triangles[hit.primitive], hit.u, hit.v),
                          surface.point.normal);
+    }
+    if (surface.material->normalTexture) {
+        surface.shadingNormal = mappedNormal(mesh, hit.primitive, triangle, *surface.material,
+                                             surface.attributes, surface.shadingNormal);
     }
     return surface;
 }

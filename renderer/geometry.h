@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace wellstrat::render {
 
@@ -24,7 +25,7 @@ struct Hit {
 struct Surface {
     SurfacePoint point;
     Float3 shadingNormal; ///< unit length
-    Float2 uv;
+    SurfaceAttributes attributes;
     const Material* material;
 };
 
@@ -39,11 +40,18 @@ public:
     Geometry(const Geometry&) = delete;
     Geometry& operator=(const Geometry&) = delete;
 
-    /// Finds the closest hit of a ray, at any distance above 0 and below its maxDistance.
+    /// Finds the closest hit of a ray, at any distance above 0 and below its maxDistance. The ray
+    /// passes surfaces of an opacity below 1 by chance, which is in it.
     bool closestHit(const Ray& ray, Hit& hit) const;
 
-    /// Is there any hit between 0 and maxDistance?
-    bool occluded(const Ray& ray) const;
+    /// Which part of the light passes all that is between 0 and maxDistance.
+    float transmittance(const Ray& ray) const;
+
+    /// Does none?
+    bool occluded(const Ray& ray) const { return transmittance(ray) == 0.0f; }
+
+    /// Is there anything that lets a part of the light pass?
+    bool isBlended() const { return isBlended_; }
 
     /// The surface at a hit of `ray`. All vectors are finite, whatever the scene holds.
     Surface surface(const Ray& ray, const Hit& hit) const;
@@ -51,6 +59,8 @@ public:
 private:
     struct Embree;
     const Scene& scene_;
+    bool hasHoles_ = false, isBlended_ = false;
+    std::vector<uint8_t> needsAttributes_; ///< by mesh: is 1 where its material looks at them
     std::unique_ptr<const Embree> embree_;
 };
 

@@ -34,6 +34,11 @@ bool survives(RixRNG::SampleCtx roulette, Float3& throughput) {
     return true;
 }
 
+/// By what a ray passes surfaces that are not all there. Unstratified, as survival is.
+uint32_t chanceOf(RixRNG::SampleCtx passage) {
+    return static_cast<uint32_t>(HashToRandom(passage.patternid, passage.sampleid) * 0x1p24f);
+}
+
 } // namespace
 
 Integrator::Integrator(const Scene& scene, unsigned width, unsigned height,
@@ -79,6 +84,8 @@ void Integrator::startPaths(const RixRNG& camera, const CameraSample* samples,
                             static_cast<float>(samples[i].y) + 0.5f);
         const Float2 position = center + filter_.offset(inPicture[i]);
         batch.paths[i] = Path{i, camera_.ray(position, onLens[i], times[i])};
+        if (geometry_.isBlended())
+            batch.paths[i].ray.chance = chanceOf(camera.NewDomain(i, kPassageScramble));
     }
 }
 
@@ -97,7 +104,7 @@ unsigned Integrator::findHits(unsigned count, unsigned bounce, PathBatch& batch,
         results[path.point] += directLight_.fromSurface(path, hit, surface);
         if (bounce > options_.depth) return false;
         batch.vertices[i] = {surface.point,
-                             Bxdf(*surface.material, surface.uv, surface.point.normal,
+                             Bxdf(*surface.material, surface.attributes, surface.point.normal,
                                   surface.shadingNormal, -path.ray.direction)};
         return true;
     };
@@ -118,6 +125,7 @@ unsigned Integrator::scatter(const RixRNG& hits, unsigned bounce, PathBatch& bat
         }
         path.bxdfPdf = bxdf.pdf;
         path.ray = leave(batch.vertices[i].point, bxdf.direction, path.ray.time);
+        if (geometry_.isBlended()) path.ray.chance = chanceOf(hits.NewDomain(i, kPassageScramble));
         return true;
     };
     return compact(hits.numPts, goesOn, batch.paths, batch.contexts);

@@ -16,13 +16,13 @@ double areaPower(const Material& material, Float3 radiance, double area) {
 }
 
 /// The mean of a texture over a triangle, by the middles of 4 x 4 cells.
-Float3 meanTexture(const Mesh& mesh, uint32_t primitive, const Texture& texture) {
+Float3 meanTexture(const Mesh& mesh, uint32_t primitive, const TextureMap& texture) {
     constexpr float kCell = 0.25f;
     Float3 sum(0.0f);
     for (float x = 0.5f * kCell; x < 1.0f; x += kCell) {
         for (float y = 0.5f * kCell; y < 1.0f; y += kCell) {
             const Float2 weight = squareToTriangle({x, y});
-            sum += texture.lookup(triangleUv(mesh, primitive, weight.x, weight.y));
+            sum += texture.lookup(triangleAttributes(mesh, primitive, weight.x, weight.y));
         }
     }
     return sum * (kCell * kCell);
@@ -33,7 +33,7 @@ Float3 meanTexture(const Mesh& mesh, uint32_t primitive, const Texture& texture)
 double trianglePower(const Mesh& mesh, uint32_t primitive, const Material& material) {
     Float3 radiance = material.emission;
     if (material.emissionTexture)
-        radiance = multiply(radiance, meanTexture(mesh, primitive, *material.emissionTexture));
+        radiance = multiply(radiance, meanTexture(mesh, primitive, material.emissionTexture));
     const double area = 0.5 * triangleAt(mesh, primitive, 0.0f).areaNormal().Length();
     return areaPower(material, radiance, area);
 }

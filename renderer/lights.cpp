@@ -5,6 +5,7 @@
 #include "framing.h"
 #include "geometry.h"
 #include "light_power.h"
+#include "opacity.h"
 #include "shapes.h"
 #include "sphere_directions.h"
 
@@ -43,6 +44,18 @@ float spotFalloff(const PunctualLight& light, Float3 direction) {
     const float scale = 1.0f / std::max(0.001f, light.cosInner - light.cosOuter);
     const float t = clamp01((Dot(direction, light.direction) - light.cosOuter) * scale);
     return t * t;
+}
+
+/// What the range of a light leaves of it at this distance: glTF, KHR_lights_punctual.
+float rangeFalloff(const PunctualLight& light, float distance) {
+    const float part = distance / light.range;
+    return clamp01(1.0f - (part * part) * (part * part));
+}
+
+/// Does it give off the same light everywhere?
+bool isUniformLight(const Material& material) {
+    return !material.emissionTexture && !material.colorIsEmission &&
+           material.alpha == Material::Alpha::opaque;
 }
 
 } // namespace
@@ -100,9 +113,13 @@ bool Lights::sampleTriangle(const Light& light, const SurfacePoint& receiver, fl
     const float distance = sample.direction.Normalize();
     const float cosine = -Dot(point.normal, sample.direction);
     if (!(distance > 0.0f) || cosine == 0.0f) return false;
-    sample.radiance = emittedRadiance(scene_.materials[mesh.material],
-                                      triangleUv(mesh, light.primitive, weight.x, weight.y),
-                                      point.normal, -sample.direction);
+    const Material& material = scene_.materials[mesh.material];
+    SurfaceAttributes attributes;
+    if (!isUniformLight(material))
+        attributes = triangleAttributes(mesh, light.primitive, weight.x, weight.y);
+    sample.radiance = emittedRadiance(material, attributes, point.normal, -sample.direction);
+    if (material.alpha != Material::Alpha::opaque)
+        sample.radiance *= opacityAt(material, attributes);
     sample.shadowRay = connect(receiver, point, time);
     sample.pdf *= solidAnglePdf(0.5f * triangle.areaNormal().Length(), distance * distance, cosine);
     return true;
@@ -116,7 +133,7 @@ bool Lights::sampleSphere(const Light& light, const SurfacePoint& receiver, floa
     const SurfacePoint point = spherePoint(
         sphere, receiver.position + sample.direction * directions.distance(sample.direction), time);
     sample.radiance =
-        emittedRadiance(scene_.materials[sphere.material], sphereUv(point.normal), point.normal,
+        emittedRadiance(scene_.materials[sphere.material], {sphereUv(point.normal)}, point.normal,
                         directions.inside() ? -point.normal : point.normal);
     sample.shadowRay = connect(receiver, point, time);
     sample.pdf *= directions.pdf(sample.direction);
@@ -135,7 +152,8 @@ bool Lights::samplePunctual(const Light& light, const SurfacePoint& receiver, fl
     sample.direction = punctual.position - receiver.position;
     const float distance = sample.direction.Normalize();
     if (!(distance > 0.0f)) return false;
-    sample.radiance = punctual.intensity / (distance * distance);
+    sample.radiance =
+        punctual.intensity * (rangeFalloff(punctual, distance) / (distance * distance));
     if (punctual.kind == PunctualLight::Kind::spot) {
         sample.radiance *= spotFalloff(punctual, -sample.direction);
     }

@@ -16,6 +16,7 @@ struct Ray {
     Float3 direction; ///< unit length
     float time = 0;   ///< in [0, 1], from the opening of the shutter to its closing
     float maxDistance = std::numeric_limits<float>::infinity();
+    uint32_t chance = 0; ///< a random word, by which the ray passes what is not all there
 };
 
 /// A point of a surface, with a bound of how far rounding may have taken it off the surface.

@@ -11,6 +11,8 @@
 //         |-- environmentScramble(bounce)  2D  which direction of the environment
 //         |-- bxdfScramble(bounce)         2D  which lobe, and which direction
 //         |-- kRouletteScramble            --  does the path go on? unstratified
+//         |-- kPassageScramble             --  does it pass what is not all there? so, too, from
+//         |                                    the camera; unstratified
 //         `-- kHitScramble                 --  the next hit, and so on
 //
 // All that is stratified has a slot of wellstrat/joint.h, as far as there are slots: a
@@ -50,5 +52,6 @@ constexpr RixRNG::Scramble environmentScramble(unsigned bounce) {
 // chosen them.
 constexpr RixRNG::Scramble kHitScramble{0x03707344};
 constexpr RixRNG::Scramble kRouletteScramble{0xec4e6c89};
+constexpr RixRNG::Scramble kPassageScramble{0x452821e6};
 
 } // namespace wellstrat::render

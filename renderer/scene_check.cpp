@@ -34,7 +34,8 @@ void checkLight(const Scene& scene) {
     }
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const PunctualLight& light = scene.lights[i];
-        require(isLight(light.intensity) && isFinite(light.position) && isFinite(light.direction),
+        require(isLight(light.intensity) && isFinite(light.position) && isFinite(light.direction) &&
+                    light.range > 0.0f,
                 "light " + std::to_string(i) + " has numbers that are not finite, or negative");
     }
     require(!scene.environment || isLight(scene.environment->radiance),
@@ -48,7 +49,8 @@ bool fits(const std::vector<T>& optional, const Mesh& mesh) {
 
 void checkMesh(const Mesh& mesh, std::size_t materials, const std::string& name) {
     require(mesh.material < materials, name + " has a material that does not exist");
-    require(fits(mesh.positionsAtEnd, mesh) && fits(mesh.normals, mesh) && fits(mesh.uvs, mesh),
+    require(fits(mesh.positionsAtEnd, mesh) && fits(mesh.normals, mesh) && fits(mesh.uvs, mesh) &&
+                fits(mesh.secondUvs, mesh) && fits(mesh.colors, mesh),
             name + " has arrays of different lengths");
     for (const auto& triangle : mesh.triangles) {
         require(std::max({triangle[0], triangle[1], triangle[2]}) < mesh.positions.size(),
@@ -67,6 +69,8 @@ void checkCamera(const Camera& camera) {
             "the camera's directions `forward` and `up` are not of length 1 and across each other");
     require(camera.verticalFov > 0.0f && camera.verticalFov < 3.14159f,
             "the camera's field of view is not between 0 and 180 degrees");
+    require(camera.orthographicHeight >= 0.0f && camera.orthographicHeight <= kFarthest,
+            "the height of the camera's picture is not a number from 0 to 1e16");
     require(camera.lensRadius >= 0.0f && camera.lensRadius <= kFarthest,
             "the radius of the camera's lens is not a number from 0 to 1e16");
     require(camera.focusDistance > 0.0f && camera.focusDistance <= kFarthest,

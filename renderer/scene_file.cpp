@@ -60,8 +60,8 @@ auto readNamed(const char* what, const std::string& path, Read read) {
 Scene environmentScene(const std::string& path) {
     Scene scene;
     uint64_t replaced = 0;
-    scene.environment.emplace().map =
-        std::make_shared<const Texture>(readTexture(path, Encoding::sRgb, &replaced));
+    scene.environment.emplace().map = std::make_shared<const Texture>(
+        readTexture(path, Encoding::sRgb, Channels::colors, &replaced));
     if (replaced > 0) {
         scene.notes.push_back(
             fmt::format("Pixels of the environment map that were negative, not finite or above 1e9 "
@@ -71,11 +71,44 @@ Scene environmentScene(const std::string& path) {
     return scene;
 }
 
+/// "'a', 'b'", at most the first ten.
+std::string namesOf(const std::vector<NamedCamera>& cameras) {
+    constexpr std::size_t kMost = 10;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(cameras.size(), kMost); ++i)
+        names += fmt::format("{}'{}'", i == 0 ? "" : ", ", cameras[i].name);
+    return cameras.size() > kMost ? names + ", ..." : names;
+}
+
+void chooseCamera(const CameraChoice& choice, Scene& scene) {
+    std::vector<NamedCamera> cameras = scene.cameras;
+    if (choice.name) {
+        const auto hasOtherName = [&](const NamedCamera& camera) {
+            return camera.name != *choice.name && camera.otherName != *choice.name;
+        };
+        cameras.erase(std::remove_if(cameras.begin(), cameras.end(), hasOtherName), cameras.end());
+    }
+    const std::size_t number = choice.number.value_or(1);
+    if (number >= 1 && number <= cameras.size()) {
+        scene.camera = cameras[number - 1].camera;
+        scene.aspect = cameras[number - 1].aspect;
+    } else if (choice.name || choice.number) {
+        throw std::runtime_error(scene.cameras.empty()
+                                     ? "it has no cameras"
+                                     : fmt::format("it has no such camera, only {}: {}",
+                                                   scene.cameras.size(), namesOf(scene.cameras)));
+    }
+    if (cameras.size() > 1 && !choice.number)
+        scene.notes.push_back(fmt::format("There are {} cameras, {}: the first is used.",
+                                          cameras.size(), namesOf(cameras)));
+}
+
 } // namespace
 
-Scene readScene(const std::string& path) {
+Scene readScene(const std::string& path, const CameraChoice& camera) {
     return readNamed("scene", path, [&] {
         Scene scene = makeInChild([&] { return importScene(path); }, limits());
+        chooseCamera(camera, scene);
         addWhatIsMissing(scene);
         return scene;
     });

@@ -51,6 +51,15 @@ private:
         add(texture == nullptr);
         if (texture) add(hashOf(texture.get()));
     }
+    void add(const TextureMap& map) {
+        add(map.texture);
+        if (!map) return;
+        add(map.sampling.u);
+        add(map.sampling.v);
+        add(map.sampling.nearest);
+        add(map.transform);
+        add(map.takesSecondUv);
+    }
     void add(const Material& m) {
         add(m.baseColor);
         add(m.metallic);
@@ -61,12 +70,24 @@ private:
         add(m.baseColorTexture);
         add(m.metallicRoughnessTexture);
         add(m.emissionTexture);
+        add(m.specularColor);
+        add(m.specularColorTexture);
+        add(m.specularTexture);
+        add(m.normalTexture);
+        add(m.normalScale);
+        add(m.opacityTexture);
+        add(m.opacity);
+        add(m.opacityCutoff);
+        add(m.alpha);
+        add(m.colorIsEmission);
     }
     void add(const Mesh& mesh) {
         addAll(mesh.positions);
         addAll(mesh.positionsAtEnd);
         addAll(mesh.normals);
         addAll(mesh.uvs);
+        addAll(mesh.secondUvs);
+        addAll(mesh.colors);
         addAll(mesh.triangles);
         add(mesh.material);
     }
@@ -83,6 +104,7 @@ private:
         add(light.intensity);
         add(light.cosInner);
         add(light.cosOuter);
+        add(light.range);
     }
     void add(const Environment& environment) {
         add(environment.radiance);
@@ -95,6 +117,7 @@ private:
         add(camera.verticalFov);
         add(camera.lensRadius);
         add(camera.focusDistance);
+        add(camera.orthographicHeight);
     }
 
     /// Materials share textures: each is read once.

@@ -30,10 +30,42 @@ Float3 normalizedOr(Float3 vector, Float3 fallback) {
             static_cast<float>(z * scale)};
 }
 
-Float2 triangleUv(const Mesh& mesh, uint32_t primitive, float u, float v) {
-    if (mesh.uvs.empty()) return {0.0f, 0.0f};
-    const Float2 uv = interpolate(mesh.uvs, mesh.triangles[primitive], u, v);
-    return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : Float2(0.0f, 0.0f);
+SurfaceAttributes triangleAttributes(const Mesh& mesh, uint32_t primitive, float u, float v) {
+    const auto uvOf = [&](const std::vector<Float2>& uvs) {
+        if (uvs.empty()) return Float2(0.0f, 0.0f);
+        const Float2 uv = interpolate(uvs, mesh.triangles[primitive], u, v);
+        return std::isfinite(uv.x) && std::isfinite(uv.y) ? uv : Float2(0.0f, 0.0f);
+    };
+    SurfaceAttributes attributes;
+    attributes.uv = uvOf(mesh.uvs);
+    attributes.secondUv = uvOf(mesh.secondUvs);
+    if (!mesh.colors.empty()) {
+        const VertexColor color = interpolate(mesh.colors, mesh.triangles[primitive], u, v);
+        attributes.color = color.color;
+        attributes.opacity = color.opacity;
+    }
+    return attributes;
+}
+
+Float3 mappedNormal(const Mesh& mesh, uint32_t primitive, const Triangle& triangle,
+                    const Material& material, const SurfaceAttributes& attributes, Float3 normal) {
+    const auto& uvs = material.normalTexture.takesSecondUv ? mesh.secondUvs : mesh.uvs;
+    if (uvs.empty()) return normal;
+    const auto& corners = mesh.triangles[primitive];
+    const Float2 b = uvs[corners[1]] - uvs[corners[0]], c = uvs[corners[2]] - uvs[corners[0]];
+    const float area = b.x * c.y - b.y * c.x;
+    const float sign = area < 0.0f ? -1.0f : 1.0f;
+    // Along growing u, and across it on the side of falling v, on the tangent plane.
+    Float3 tangent = ((triangle.b - triangle.a) * c.y - (triangle.c - triangle.a) * b.y) * sign;
+    tangent = normalizedOr(tangent - normal * Dot(normal, tangent), Float3(0.0f));
+    if (isBlack(tangent)) return normal;
+    // The front is where u, -v and the normal are right-handed, unless the picture is mirrored.
+    const Float3 bitangent = Cross(normal, tangent) * -sign;
+    const Float3 color = material.normalTexture.lookup(attributes);
+    const Float3 tilt = color * 2.0f - Float3(1.0f);
+    return normalizedOr(tangent * (tilt.x * material.normalScale) +
+                            bitangent * (tilt.y * material.normalScale) + normal * tilt.z,
+                        normal);
 }
 
 SurfacePoint trianglePoint(const Triangle& triangle, float u, float v, Float3 fallback) {

@@ -43,8 +43,9 @@ T interpolate(const std::vector<T>& values, const std::array<uint32_t, 3>& corne
     return values[corners[0]] * (1.0f - u - v) + values[corners[1]] * u + values[corners[2]] * v;
 }
 
-/// Texture coordinates at these weights; (0, 0) where a mesh has none, or none that are finite.
-Float2 triangleUv(const Mesh& mesh, uint32_t primitive, float u, float v);
+/// The attributes at these weights; those of SurfaceAttributes itself where a mesh has none, and
+/// for texture coordinates that are not finite.
+SurfaceAttributes triangleAttributes(const Mesh& mesh, uint32_t primitive, float u, float v);
 
 /// Texture coordinates of the point of a sphere with this normal: x turns around the y axis, y goes
 /// down from the upper pole, evenly by area.
@@ -55,6 +56,11 @@ inline Float2 sphereUv(Float3 normal) {
 
 /// `vector` with length 1, or `fallback` if it has no direction: if it is zero or not finite.
 Float3 normalizedOr(Float3 vector, Float3 fallback);
+
+/// `normal`, of unit length, tilted as the material's normal map says at `attributes`; as it is
+/// where the mesh's texture coordinates give no direction, and where the map's is none.
+Float3 mappedNormal(const Mesh& mesh, uint32_t primitive, const Triangle& triangle,
+                    const Material& material, const SurfaceAttributes& attributes, Float3 normal);
 
 /// The point with weights (u, v) of corners b and c. A triangle without a normal gets `fallback`.
 SurfacePoint trianglePoint(const Triangle& triangle, float u, float v, Float3 fallback);

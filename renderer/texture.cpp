@@ -4,6 +4,7 @@
 
 #include "texture.h"
 #include "color.h"
+#include "webp.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -37,22 +40,39 @@ float asIntensity(float v) {
     throw std::runtime_error(line.empty() ? "not a picture in a known format" : line);
 }
 
-Texture readPixels(OIIO::ImageInput& input, Encoding encoding, uint64_t* replaced) {
-    const OIIO::ImageSpec& spec = input.spec();
-    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
-        fail("has no pixels, or is no plain two-dimensional picture");
-    if (spec.image_pixels() > kMaxPixels)
-        fail(fmt::format("has {} x {} pixels, more than 2^27", spec.width, spec.height));
+/// A file, or what `memory` has if that is not null, whatever format its name speaks of.
+OIIO::ImageInput::unique_ptr opened(const std::string& name, OIIO::Filesystem::IOProxy* memory) {
+    OIIO::ImageSpec wanted;
+    wanted["oiio:UnassociatedAlpha"] = 1; // or colors are multiplied by alpha
+    // Without this, ImageInput 2.4 takes no note of the memory where there are wishes.
+    if (memory) wanted.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &memory);
+    auto input = OIIO::ImageInput::create(name, true, &wanted, memory);
+    if (!input) fail(OIIO::geterror());
+    return input;
+}
 
-    const auto width = static_cast<unsigned>(spec.width);
-    const auto height = static_cast<unsigned>(spec.height);
-    const bool isColor = spec.nchannels >= 3; // one or two: gray, gray and alpha
+/// What kind of numbers a picture has.
+struct Format {
+    int channels; ///< one or two: gray, gray and alpha
+    int alpha;    ///< which of them; negative: none
+    bool isFloat;
+};
+
+/// Makes a texture of a picture with the colors or the alpha of its pixels, three numbers each.
+/// `fill` gets `pixels`, the first channel that is wanted, and how many of them.
+template <typename Fill>
+Texture textureOf(uint64_t width, uint64_t height, Format format, Encoding encoding,
+                  Channels channels, uint64_t* replaced, Fill fill) {
+    if (width * height > kMaxPixels)
+        fail(fmt::format("has {} x {} pixels, more than 2^27", width, height));
+    const auto columns = static_cast<unsigned>(width), rows = static_cast<unsigned>(height);
+    std::vector<Float3> pixels(width * height, Float3(1.0f));
+    const bool isAlpha = channels == Channels::alpha;
+    if (isAlpha && format.alpha < 0) return {columns, rows, std::move(pixels)};
+    const bool isColor = !isAlpha && format.channels >= 3;
     // Pictures of floats are linear whatever they are used for.
-    const bool decode = encoding == Encoding::sRgb && !spec.format.is_floating_point();
-    std::vector<Float3> pixels(std::size_t{width} * height);
-    if (!input.read_image(0, 0, 0, isColor ? 3 : 1, OIIO::TypeDesc::FLOAT, pixels.data(),
-                          sizeof(Float3)))
-        fail(input.geterror());
+    const bool decode = encoding == Encoding::sRgb && !isAlpha && !format.isFloat;
+    fill(pixels, isAlpha ? format.alpha : 0, isColor ? 3 : 1);
     for (Float3& pixel : pixels) {
         if (!isColor) pixel.y = pixel.z = pixel.x;
         bool isChanged = false;
@@ -63,11 +83,61 @@ Texture readPixels(OIIO::ImageInput& input, Encoding encoding, uint64_t* replace
         }
         if (isChanged && replaced) ++*replaced;
     }
-    return {width, height, std::move(pixels)};
+    return {columns, rows, std::move(pixels)};
 }
 
-unsigned wrap(int i, unsigned size) {
-    return i < 0 ? size - 1 : static_cast<unsigned>(i) >= size ? 0 : static_cast<unsigned>(i);
+Texture readPixels(OIIO::ImageInput& input, Encoding encoding, Channels channels,
+                   uint64_t* replaced) {
+    const OIIO::ImageSpec& spec = input.spec();
+    if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
+        fail("has no pixels, or is no plain two-dimensional picture");
+    const auto fill = [&](std::vector<Float3>& pixels, int first, int count) {
+        if (!input.read_image(0, 0, first, first + count, OIIO::TypeDesc::FLOAT, pixels.data(),
+                              sizeof(Float3)))
+            fail(input.geterror());
+    };
+    return textureOf(static_cast<uint64_t>(spec.width), static_cast<uint64_t>(spec.height),
+                     {spec.nchannels, spec.alpha_channel, spec.format.is_floating_point()},
+                     encoding, channels, replaced, fill);
+}
+
+Texture readWebp(const std::vector<unsigned char>& bytes, Encoding encoding, Channels channels) {
+    const WebpPicture picture = decodeWebp(bytes, kMaxPixels);
+    const auto fill = [&](std::vector<Float3>& pixels, int first, int count) {
+        for (std::size_t i = 0; i < pixels.size(); ++i)
+            for (int c = 0; c < count; ++c)
+                pixels[i][c] =
+                    static_cast<float>(picture.rgba[4 * i + static_cast<std::size_t>(first + c)]) /
+                    255.0f;
+    };
+    return textureOf(picture.width, picture.height, {4, 3, false}, encoding, channels, nullptr,
+                     fill);
+}
+
+/// All of a file that begins as WebP pictures do; nothing of others.
+std::vector<unsigned char> webpBytes(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    char head[12] = {};
+    file.read(head, sizeof head);
+    if (!isWebp(reinterpret_cast<const unsigned char*>(head), sizeof head)) return {};
+    file.seekg(0);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// The pixel in which a place in [0, size] is, or next to it: -1 and `size` are beyond the border.
+unsigned wrapped(int i, unsigned size, Wrap wrap) {
+    if (i < 0) return wrap == Wrap::repeat ? size - 1 : 0;
+    if (static_cast<unsigned>(i) >= size) return wrap == Wrap::repeat ? 0 : size - 1;
+    return static_cast<unsigned>(i);
+}
+
+/// The coordinate in [0, 1] where the picture has the color for `coordinate`. At the borders of a
+/// mirrored picture a pixel is its own neighbor, as at those of a clamped one.
+float inPicture(float coordinate, Wrap wrap) {
+    if (wrap == Wrap::clamp) return std::min(std::max(coordinate, 0.0f), 1.0f);
+    if (wrap == Wrap::repeat) return coordinate - std::floor(coordinate);
+    const float inPair = coordinate - 2.0f * std::floor(0.5f * coordinate);
+    return inPair > 1.0f ? 2.0f - inPair : inPair;
 }
 
 /// The two pixels of a row or column between which a coordinate falls, and how far it is from the
@@ -77,11 +147,22 @@ struct Neighbors {
     float fraction;
 };
 
-Neighbors neighbors(float coordinate, unsigned size) {
-    const float position = (coordinate - std::floor(coordinate)) * static_cast<float>(size) - 0.5f;
+Neighbors neighborsAt(float coordinateInPicture, unsigned size, Wrap wrap) {
+    const float position = coordinateInPicture * static_cast<float>(size) - 0.5f;
     const float below = std::floor(position);
     const int first = static_cast<int>(below);
-    return {wrap(first, size), wrap(first + 1, size), position - below};
+    return {wrapped(first, size, wrap), wrapped(first + 1, size, wrap), position - below};
+}
+
+Neighbors neighbors(float coordinate, unsigned size, Wrap wrap) {
+    if (wrap == Wrap::repeat) // nearly always: worth to be compiled for itself
+        return neighborsAt(coordinate - std::floor(coordinate), size, Wrap::repeat);
+    return neighborsAt(inPicture(coordinate, wrap), size, wrap);
+}
+
+unsigned nearest(float coordinate, unsigned size, Wrap wrap) {
+    const float position = inPicture(coordinate, wrap) * static_cast<float>(size);
+    return wrapped(static_cast<int>(position), size, wrap);
 }
 
 } // namespace
@@ -93,24 +174,28 @@ Texture::Texture(unsigned width, unsigned height, std::vector<Float3> pixels)
                                                 height, pixels_.size()));
 }
 
-Float3 Texture::lookup(Float2 uv) const {
-    const Neighbors x = neighbors(uv.x, width_), y = neighbors(uv.y, height_);
+Float3 Texture::lookup(Float2 uv, TextureSampling sampling) const {
+    if (sampling.nearest)
+        return pixel(nearest(uv.x, width_, sampling.u), nearest(uv.y, height_, sampling.v));
+    const Neighbors x = neighbors(uv.x, width_, sampling.u);
+    const Neighbors y = neighbors(uv.y, height_, sampling.v);
     return lerp(lerp(pixel(x.first, y.first), pixel(x.second, y.first), x.fraction),
                 lerp(pixel(x.first, y.second), pixel(x.second, y.second), x.fraction), y.fraction);
 }
 
-Texture readTexture(const std::string& path, Encoding encoding, uint64_t* replaced) {
-    const auto input = OIIO::ImageInput::open(path);
-    if (!input) fail(OIIO::geterror());
-    return readPixels(*input, encoding, replaced);
+Texture readTexture(const std::string& path, Encoding encoding, Channels channels,
+                    uint64_t* replaced) {
+    if (kHasWebp)
+        if (const auto bytes = webpBytes(path); !bytes.empty())
+            return readWebp(bytes, encoding, channels);
+    return readPixels(*opened(path, nullptr), encoding, channels, replaced);
 }
 
 Texture readTexture(const std::vector<unsigned char>& bytes, const std::string& formatHint,
-                    Encoding encoding) {
+                    Encoding encoding, Channels channels) {
+    if (kHasWebp && isWebp(bytes.data(), bytes.size())) return readWebp(bytes, encoding, channels);
     OIIO::Filesystem::IOMemReader reader(bytes.data(), bytes.size());
-    const auto input = OIIO::ImageInput::open("embedded." + formatHint, nullptr, &reader);
-    if (!input) fail(OIIO::geterror());
-    return readPixels(*input, encoding, nullptr);
+    return readPixels(*opened("embedded." + formatHint, &reader), encoding, channels, nullptr);
 }
 
 void readTexturesInOneThread() {

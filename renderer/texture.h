@@ -13,6 +13,16 @@
 
 namespace wellstrat::render {
 
+/// What a coordinate outside [0, 1) means: the picture again, the picture mirrored every other
+/// time, or the nearest pixel of its border.
+enum class Wrap : uint8_t { repeat, mirror, clamp };
+
+/// How a picture is looked up between and beyond the middles of its pixels.
+struct TextureSampling {
+    Wrap u = Wrap::repeat, v = Wrap::repeat;
+    bool nearest = false; ///< the color of one pixel; otherwise bilinear
+};
+
 /// A picture in linear colors. Immutable, so safe in any thread.
 class Texture {
 public:
@@ -28,9 +38,8 @@ public:
     /// The color of a pixel; not checked.
     Float3 pixel(unsigned x, unsigned y) const { return pixels_[std::size_t{y} * width_ + x]; }
 
-    /// Bilinear. (0, 0) is the left end of the top row, as in glTF; repeats outside [0, 1). `uv`
-    /// must be finite.
-    Float3 lookup(Float2 uv) const;
+    /// (0, 0) is the left end of the top row, as in glTF. `uv` must be finite.
+    Float3 lookup(Float2 uv, TextureSampling sampling = {}) const;
 
 private:
     unsigned width_, height_;
@@ -39,17 +48,22 @@ private:
 
 enum class Encoding { linear, sRgb };
 
-/// Reads a picture in any format that OpenImageIO knows, of at most 2^27 pixels. Alpha is left out,
-/// values that are NaN, infinite or negative become 0 and those above 1e9 become 1e9; the number of
-/// such pixels is added to `*replaced` unless that is null. `encoding` is that of integers: formats
-/// of floats are linear. Throws std::runtime_error with one line that says why the picture cannot
-/// be read.
-Texture readTexture(const std::string& path, Encoding encoding, uint64_t* replaced = nullptr);
+/// What of a picture is read: its colors as they are stored, not multiplied by alpha, or its alpha
+/// as a gray, which is 1 where the picture has none.
+enum class Channels { colors, alpha };
+
+/// Reads a picture in any format that OpenImageIO knows, of at most 2^27 pixels. Values that are
+/// NaN, infinite or negative become 0 and those above 1e9 become 1e9; the number of such pixels is
+/// added to `*replaced` unless that is null. `encoding` is that of colors in integers: floats and
+/// alpha are linear. Throws std::runtime_error with one line that says why the picture cannot be
+/// read.
+Texture readTexture(const std::string& path, Encoding encoding,
+                    Channels channels = Channels::colors, uint64_t* replaced = nullptr);
 
 /// The same from the bytes of a file in memory, such as one within a .glb. `formatHint` is the
 /// file name extension that it would have.
 Texture readTexture(const std::vector<unsigned char>& bytes, const std::string& formatHint,
-                    Encoding encoding);
+                    Encoding encoding, Channels channels = Channels::colors);
 
 /// From now on this process reads pictures without helping threads. For a copy of a process, which
 /// lacks the threads that libraries believe to have.

@@ -4,19 +4,16 @@
 
 #pragma once
 
-#include "wellstrat/vector.h"
+#include "affine.h"
 
 #include <assimp/types.h>
-
-#include <cmath>
 
 namespace wellstrat::render {
 
 inline Float3 toFloat3(const aiVector3D& v) { return {v.x, v.y, v.z}; }
-inline aiVector3D toAssimp(Float3 v) { return {v.x, v.y, v.z}; }
 
-inline bool isFinite(Float3 v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+inline Affine toAffine(const aiMatrix4x4& m) {
+    return {{m.a1, m.b1, m.c1}, {m.a2, m.b2, m.c2}, {m.a3, m.b3, m.c3}, {m.a4, m.b4, m.c4}};
 }
 
 } // namespace wellstrat::render

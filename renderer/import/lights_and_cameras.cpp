@@ -6,9 +6,6 @@
 #include "../framing.h"
 #include "conversions.h"
 
-#include <assimp/commonMetaData.h>
-#include <assimp/version.h>
-
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -22,12 +19,6 @@ aiMatrix4x4 toWorldOf(const aiScene& scene, const aiString& name) {
     for (const aiNode* node = scene.mRootNode->FindNode(name); node; node = node->mParent)
         toWorld = node->mTransformation * toWorld;
     return toWorld;
-}
-
-bool isGltf(const aiScene& scene) {
-    aiString format;
-    return scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_FORMAT, format) &&
-           std::string(format.C_Str()).find("glTF") != std::string::npos;
 }
 
 Float3 toUnitLength(Float3 v) {
@@ -53,7 +44,7 @@ bool isUsable(const PunctualLight& light) {
 }
 
 PunctualLight importLight(const aiLight& light, PunctualLight::Kind kind,
-                          const aiMatrix4x4& toWorld, bool isGltfLight) {
+                          const aiMatrix4x4& toWorld) {
     PunctualLight result{};
     result.kind = kind;
     result.position = toFloat3(toWorld * light.mPosition);
@@ -63,20 +54,26 @@ PunctualLight importLight(const aiLight& light, PunctualLight::Kind kind,
     if (kind != PunctualLight::Kind::directional && light.mAttenuationQuadratic > 0)
         result.intensity /= light.mAttenuationQuadratic;
     if (kind == PunctualLight::Kind::spot) {
-        // glTF's angles are from the axis, those of other formats from side to side.
-        const float part = isGltfLight ? 1.0f : 0.5f;
-        result.cosInner = std::cos(light.mAngleInnerCone * part);
-        result.cosOuter = std::min(std::cos(light.mAngleOuterCone * part), result.cosInner);
+        // Assimp has the angles from side to side.
+        result.cosInner = std::cos(light.mAngleInnerCone * 0.5f);
+        result.cosOuter = std::min(std::cos(light.mAngleOuterCone * 0.5f), result.cosInner);
     }
     return result;
 }
 
-/// Assimp has the angle from side to side. Before version 5.3 it multiplied glTF's vertical angle
-/// by the aspect: https://github.com/assimp/assimp/issues/4435
-float verticalFov(float horizontalFov, float aspect, bool isGltfCamera) {
-    const bool isProduct = isGltfCamera && aiGetVersionMajor() * 1000 + aiGetVersionMinor() < 5003;
-    if (isProduct) return horizontalFov / aspect;
+/// Assimp has the angle from side to side.
+float verticalFov(float horizontalFov, float aspect) {
     return 2 * std::atan(std::tan(horizontalFov / 2) / aspect);
+}
+
+NamedCamera importCamera(const aiCamera& camera, const aiMatrix4x4& toWorld) {
+    const float aspect = camera.mAspect > 0 && std::isfinite(camera.mAspect) ? camera.mAspect : 1;
+    const aiMatrix3x3 rotation(toWorld);
+    return {camera.mName.C_Str(),
+            {},
+            lookAlong(toFloat3(toWorld * camera.mPosition), toFloat3(rotation * camera.mLookAt),
+                      toFloat3(rotation * camera.mUp), verticalFov(camera.mHorizontalFOV, aspect)),
+            aspect};
 }
 
 } // namespace
@@ -90,8 +87,7 @@ std::vector<PunctualLight> importLights(const aiScene& scene, Notes& notes) {
             notes.add("Lights other than point, spot and directional ones are left out.");
             continue;
         }
-        const PunctualLight result =
-            importLight(light, *kind, toWorldOf(scene, light.mName), isGltf(scene));
+        const PunctualLight result = importLight(light, *kind, toWorldOf(scene, light.mName));
         if (isUsable(result))
             lights.push_back(result);
         else
@@ -100,25 +96,17 @@ std::vector<PunctualLight> importLights(const aiScene& scene, Notes& notes) {
     return lights;
 }
 
-std::optional<ImportedCamera> importCamera(const aiScene& scene, Notes& notes) {
-    if (scene.mNumCameras == 0) return {};
-    if (scene.mNumCameras > 1) notes.add("There are several cameras: the first is used.");
-    const aiCamera& camera = *scene.mCameras[0];
-    const float aspect = camera.mAspect > 0 && std::isfinite(camera.mAspect) ? camera.mAspect : 1;
-    const aiMatrix4x4 toWorld = toWorldOf(scene, camera.mName);
-    const aiMatrix3x3 rotation(toWorld);
-    // Of glTF, Assimp gives the place of the node once more as the position within the node.
-    const aiVector3D position = isGltf(scene) ? aiVector3D() : camera.mPosition;
-    try {
-        return ImportedCamera{lookAlong(toFloat3(toWorld * position),
-                                        toFloat3(rotation * camera.mLookAt),
-                                        toFloat3(rotation * camera.mUp),
-                                        verticalFov(camera.mHorizontalFOV, aspect, isGltf(scene))),
-                              aspect};
-    } catch (const std::invalid_argument& error) {
-        notes.add(std::string("The camera is left out: ") + error.what() + ".");
-        return {};
+std::vector<NamedCamera> importCameras(const aiScene& scene, Notes& notes) {
+    std::vector<NamedCamera> cameras;
+    for (unsigned i = 0; i < scene.mNumCameras; ++i) {
+        const aiCamera& camera = *scene.mCameras[i];
+        try {
+            cameras.push_back(importCamera(camera, toWorldOf(scene, camera.mName)));
+        } catch (const std::invalid_argument& error) {
+            notes.add(std::string("A camera is left out: ") + error.what() + ".");
+        }
     }
+    return cameras;
 }
 
 } // namespace wellstrat::render

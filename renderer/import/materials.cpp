@@ -5,8 +5,6 @@
 #include "materials.h"
 #include "../color.h"
 
-#include <assimp/GltfMaterial.h>
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -136,11 +134,7 @@ private:
     void noteWhatIsLeftOut() {
         if (hasTexture(aiTextureType_NORMALS) || hasTexture(aiTextureType_HEIGHT))
             notes_.add("Normal and bump maps are left out.");
-        aiString alphaMode;
-        const bool isCutOut =
-            source_.Get(AI_MATKEY_GLTF_ALPHAMODE, alphaMode) == aiReturn_SUCCESS &&
-            std::string(alphaMode.C_Str()) != "OPAQUE";
-        if (isCutOut || number(AI_MATKEY_OPACITY).value_or(1.0f) < 1.0f ||
+        if (number(AI_MATKEY_OPACITY).value_or(1.0f) < 1.0f ||
             number(AI_MATKEY_TRANSMISSION_FACTOR).value_or(0.0f) > 0.0f)
             notes_.add("Transparency is left out: all surfaces are opaque.");
     }

@@ -116,6 +116,14 @@ void transferArray(Stream& stream, T& array) {
 }
 
 template <typename Stream>
+void transfer(Stream& stream, Of<Stream, TextureMap>& map) {
+    stream.texture(map.texture);
+    transferValue(stream, map.sampling);
+    transferValue(stream, map.transform);
+    transferValue(stream, map.takesSecondUv);
+}
+
+template <typename Stream>
 void transfer(Stream& stream, Of<Stream, Material>& material) {
     transferValue(stream, material.baseColor);
     transferValue(stream, material.metallic);
@@ -123,9 +131,19 @@ void transfer(Stream& stream, Of<Stream, Material>& material) {
     transferValue(stream, material.emission);
     transferValue(stream, material.doubleSided);
     transferValue(stream, material.specularF0);
-    stream.texture(material.baseColorTexture);
-    stream.texture(material.metallicRoughnessTexture);
-    stream.texture(material.emissionTexture);
+    transferValue(stream, material.specularColor);
+    transfer<Stream>(stream, material.baseColorTexture);
+    transfer<Stream>(stream, material.metallicRoughnessTexture);
+    transfer<Stream>(stream, material.emissionTexture);
+    transfer<Stream>(stream, material.specularColorTexture);
+    transfer<Stream>(stream, material.specularTexture);
+    transfer<Stream>(stream, material.normalTexture);
+    transferValue(stream, material.normalScale);
+    transfer<Stream>(stream, material.opacityTexture);
+    transferValue(stream, material.opacity);
+    transferValue(stream, material.opacityCutoff);
+    transferValue(stream, material.alpha);
+    transferValue(stream, material.colorIsEmission);
 }
 
 template <typename Stream>
@@ -134,8 +152,18 @@ void transfer(Stream& stream, Of<Stream, Mesh>& mesh) {
     transferArray(stream, mesh.positionsAtEnd);
     transferArray(stream, mesh.normals);
     transferArray(stream, mesh.uvs);
+    transferArray(stream, mesh.secondUvs);
+    transferArray(stream, mesh.colors);
     transferArray(stream, mesh.triangles);
     transferValue(stream, mesh.material);
+}
+
+template <typename Stream>
+void transfer(Stream& stream, Of<Stream, NamedCamera>& camera) {
+    transferArray(stream, camera.name);
+    transferArray(stream, camera.otherName);
+    transferValue(stream, camera.camera);
+    transferValue(stream, camera.aspect);
 }
 
 template <typename Stream>
@@ -158,6 +186,8 @@ void transfer(Stream& stream, Of<Stream, Scene>& scene) {
     transferArray(stream, scene.spheres);
     transferArray(stream, scene.lights);
     transfer<Stream>(stream, scene.environment);
+    stream.count(scene.cameras);
+    for (auto& camera : scene.cameras) transfer<Stream>(stream, camera);
     transferValue(stream, scene.camera);
     transferValue(stream, scene.cameraIsAutomatic);
     transferValue(stream, scene.aspect);

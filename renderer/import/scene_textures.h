@@ -6,6 +6,7 @@
 
 #include "../scene.h"
 #include "notes.h"
+#include "texture_use.h"
 
 #include <assimp/scene.h>
 
@@ -14,10 +15,6 @@
 #include <utility>
 
 namespace wellstrat::render {
-
-/// How a texture's numbers are meant: colors of surfaces are decoded from sRGB and at most 1,
-/// emitted colors are decoded from sRGB, data is what it is and at most 1.
-enum class TextureUse { reflectance, emission, data };
 
 class SceneTextures {
 public:
@@ -29,7 +26,7 @@ public:
     TexturePtr get(const std::string& name, TextureUse use);
 
 private:
-    Texture read(const std::string& name, Encoding encoding) const;
+    Texture read(const std::string& name, TextureUse use) const;
 
     const aiScene& scene_;
     std::string folder_;

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`wellstrat render` and `wellstrat merge`."""
 
+import base64
+import json
 import math
 import os
 import re
@@ -176,6 +178,40 @@ class RenderTest(RenderCase):
             self.assertEqual(len(lines), len(notes), lines)
             for line, note in zip(lines, notes):
                 self.assertIn(note, line)
+
+    def test_cameras_of_a_file(self):
+        """By name and by number; the picture has the shape that the camera was made for."""
+        quad = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+        gltf = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1, 2, 3]}],
+                "nodes": [{"mesh": 0}, {"camera": 0, "name": "wide", "translation": [0, 0, 5]},
+                          {"camera": 1, "name": "tall", "translation": [0, 0, 5]},
+                          {"camera": 0, "name": "wide", "translation": [0, 0, 9]}],
+                "cameras": [{"type": "perspective",
+                             "perspective": {"yfov": 0.5, "znear": 0.1, "aspectRatio": 2}},
+                            {"type": "orthographic",
+                             "orthographic": {"xmag": 1, "ymag": 4, "znear": 0, "zfar": 9}}],
+                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+                "bufferViews": [{"buffer": 0, "byteLength": 36}],
+                "buffers": [{"byteLength": 36, "uri": "data:;base64," +
+                             base64.b64encode(quad).decode()}]}
+        with open(self.path("a.gltf"), "w", encoding="ascii") as file:
+            json.dump(gltf, file)
+        image = ("render", "a.gltf", "--spp", "1", "-o", "a.hdr")
+        pictures = []
+        for arguments, size in (((), b"-Y 256 +X 512"), (("--camera-name", "tall"), b"-Y 256 +X 64"),
+                                (("--camera-number", "3"), b"-Y 256 +X 512"),
+                                (("--camera-name", "wide", "--camera-number", "2"),
+                                 b"-Y 256 +X 512")):
+            self.assertEqual(self.run_program(*image, *arguments).returncode, 0)
+            pictures.append(self.read("a.hdr"))
+            self.assertIn(size, pictures[-1])
+        self.assertNotEqual(pictures[0], pictures[2])
+        self.assertEqual(pictures[2], pictures[3])
+        self.assert_fails(*image, "--camera-name", "none",
+                          mentions="it has no such camera, only 3: 'wide', 'tall', 'wide'")
+        self.assert_fails("render", "cornell", "--camera-number", "2", "-o", "b.hdr",
+                          mentions="are for scene files")
 
     def test_environment_maps_are_cleaned(self):
         self.write_obj()

@@ -50,7 +50,8 @@ void requireValid(const Mesh& mesh) {
     require(!mesh.triangles.empty());
     require(std::all_of(mesh.positions.begin(), mesh.positions.end(), isFinite));
     for (const Float3 n : mesh.normals) require(std::abs(n.Length() - 1) < 1e-3f);
-    for (const Float2 uv : mesh.uvs) require(std::isfinite(uv.x) && std::isfinite(uv.y));
+    for (const auto* uvs : {&mesh.uvs, &mesh.secondUvs})
+        for (const Float2 uv : *uvs) require(std::isfinite(uv.x) && std::isfinite(uv.y));
     for (uint32_t i = 0; i < mesh.triangles.size(); ++i)
         require(triangleAt(mesh, i, 0).areaNormal().Length() > 0.0f);
 }
@@ -112,6 +113,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     } catch (const std::exception&) {
         return 0;
     }
+    if (!scene.cameras.empty()) scene.camera = scene.cameras.front().camera;
     addWhatIsMissing(scene);
     requireValid(scene);
     render(scene);

@@ -39,7 +39,7 @@ Float3 directionAt(float angle, float turn = 0) {
     return {std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), std::cos(angle)};
 }
 
-Bxdf flatBxdf(const Material& m, Float3 view) { return {m, {0, 0}, kNormal, kNormal, view}; }
+Bxdf flatBxdf(const Material& m, Float3 view) { return {m, {}, kNormal, kNormal, view}; }
 
 /// The value must be the lobes' sum times the cosine, and the same the other way round.
 TEST(Bxdf, IsTheSumOfItsLobesAndReciprocal) {
@@ -168,7 +168,7 @@ TEST(Bxdf, NeverGivesBadNumbers) {
             view = view - geometric * Dot(view, geometric);
             view.Normalize();
         }
-        const Bxdf bxdf(m, {0, 0}, geometric, shading, view);
+        const Bxdf bxdf(m, {}, geometric, shading, view);
         const Float3 in = squareToSphere({HashToRandom(i, 14), HashToRandom(i, 15)});
         const BxdfValue value = bxdf.evaluate(in);
         const float sum = value.value.x + value.value.y + value.value.z;

@@ -56,6 +56,23 @@ TEST(PictureCamera, AllOfTheLensSeesThePlaneOfFocusSharply) {
     EXPECT_GT(largest, 0.24);
 }
 
+TEST(PictureCamera, OrthographicRaysAreParallel) {
+    Camera parallel = wideCamera();
+    parallel.orthographicHeight = 3;
+    const PictureCamera camera(parallel, 200, 100);
+    const Float2 middle(0.5f, 0.5f);
+    for (const Float2 place : {Float2(0, 0), Float2(200, 100), Float2(50, 75)}) {
+        const Ray ray = camera.ray(place, middle, 0);
+        expectNear(ray.direction, {0, 0, -1}, 1e-6);
+        expectNear(ray.origin, {1 + (place.x - 100) * 0.03f, 2 - (place.y - 50) * 0.03f, 3}, 1e-5);
+    }
+    parallel.lensRadius = 0.25f;
+    parallel.focusDistance = 4;
+    const Ray ray = PictureCamera(parallel, 200, 100).ray({200, 50}, {0.9f, 0.3f}, 0);
+    expectNear(ray.origin + ray.direction * (4 / -ray.direction.z), {4, 2, -1}, 1e-5);
+    EXPECT_GT((ray.origin - Float3(4, 2, 3)).Length(), 0.1f);
+}
+
 /// The filter is the window: the fraction of samples left of x is the integral of the window up
 /// to x, here by the midpoint rule.
 TEST(PixelFilter, IsTheBlackmanHarrisWindow) {

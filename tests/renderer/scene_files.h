@@ -151,7 +151,7 @@ inline Float3 textureAt(const Scene& scene, const Mesh& mesh, Float3 position) {
         if ((mesh.positions[i] - position).Length() > 1e-5f) continue;
         // The middle of the pixel in that corner.
         const Float2 uv = mesh.uvs[i] * 0.5f + Float2(0.25f, 0.25f);
-        return scene.materials[mesh.material].baseColorTexture->lookup(uv);
+        return scene.materials[mesh.material].baseColorTexture.texture->lookup(uv);
     }
     ADD_FAILURE() << "no such vertex";
     return Float3(0.0f);

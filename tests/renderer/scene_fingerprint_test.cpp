@@ -48,6 +48,20 @@ TEST(SceneFingerprint, ChangesWithEverything) {
         [](Scene& s) { s.materials[0].specularF0 = 0; },
         [](Scene& s) { s.materials[0].baseColorTexture = textureOf(0.6f); },
         [](Scene& s) { s.materials[0].baseColorTexture = nullptr; },
+        [](Scene& s) { s.materials[0].baseColorTexture.sampling.v = Wrap::clamp; },
+        [](Scene& s) { s.materials[0].baseColorTexture.sampling.nearest = true; },
+        [](Scene& s) { s.materials[0].baseColorTexture.transform.offset.y = 1; },
+        [](Scene& s) { s.materials[0].baseColorTexture.takesSecondUv = true; },
+        [](Scene& s) { s.materials[0].specularColor.z = 2; },
+        [](Scene& s) { s.materials[0].specularColorTexture = textureOf(0.5f); },
+        [](Scene& s) { s.materials[0].specularTexture = textureOf(0.5f); },
+        [](Scene& s) { s.materials[0].normalTexture = textureOf(0.5f); },
+        [](Scene& s) { s.materials[0].normalScale = 2; },
+        [](Scene& s) { s.materials[0].opacityTexture = textureOf(0.5f); },
+        [](Scene& s) { s.materials[0].opacity = 0.5f; },
+        [](Scene& s) { s.materials[0].opacityCutoff = 0.25f; },
+        [](Scene& s) { s.materials[0].alpha = Material::Alpha::mask; },
+        [](Scene& s) { s.materials[0].colorIsEmission = true; },
         [](Scene& s) { s.materials[0].metallicRoughnessTexture = textureOf(0.5f); },
         [](Scene& s) { s.materials[0].emissionTexture = textureOf(0.5f); },
         [](Scene& s) { std::swap(s.materials[0], s.materials[1]); },
@@ -57,6 +71,10 @@ TEST(SceneFingerprint, ChangesWithEverything) {
         [](Scene& s) { s.meshes[0].positionsAtEnd.clear(); },
         [](Scene& s) { s.meshes[0].normals.clear(); },
         [](Scene& s) { s.meshes[0].uvs[2].x = 1; },
+        [](Scene& s) { s.meshes[0].secondUvs = s.meshes[0].uvs; },
+        [](Scene& s) {
+            s.meshes[0].colors.assign(3, {Float3(1.0f), 1});
+        },
         [](Scene& s) {
             s.meshes[0].triangles[0] = {0, 2, 1};
         },
@@ -73,6 +91,8 @@ TEST(SceneFingerprint, ChangesWithEverything) {
         [](Scene& s) { s.environment.reset(); },
         [](Scene& s) { s.camera->position.x = 1; },
         [](Scene& s) { s.camera->verticalFov = 2; },
+        [](Scene& s) { s.camera->orthographicHeight = 2; },
+        [](Scene& s) { s.lights[0].range = 2; },
         [](Scene& s) { s.camera->lensRadius = 0; },
         [](Scene& s) { s.camera->focusDistance = 1; },
     };

@@ -64,7 +64,7 @@ TEST(Texture, FloatsAreLinearAndMadeUsable) {
     const auto path =
         writePicture<float>(folder, "a.exr", 2, 1, 3, {0.5f, 7.0f, -1.0f, nan, infinity, 1e30f});
     uint64_t replaced = 0;
-    const Texture texture = readTexture(path, Encoding::sRgb, &replaced);
+    const Texture texture = readTexture(path, Encoding::sRgb, Channels::colors, &replaced);
     EXPECT_EQ(replaced, 2u);
     expectNear(texture.pixel(0, 0), {0.5f, 7.0f, 0.0f});
     expectNear(texture.pixel(1, 0), {0, 0, 1e9f});

@@ -29,8 +29,15 @@ constexpr unsigned kDefaultRows = 256;
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr Float3 kUp{0, 1, 0};
 
-render::Scene sceneOf(const std::string& name) {
-    if (render::isBuiltinScene(name)) return render::builtinScene(name);
+render::Scene sceneOf(const SceneOptions& options) {
+    const std::string& name = options.scene;
+    if (render::isBuiltinScene(name)) {
+        if (options.cameraName || options.cameraNumber)
+            throw CliError(
+                "--camera-name and --camera-number are for scene files: built-in scenes "
+                "have one camera each");
+        return render::builtinScene(name);
+    }
     std::error_code ignored;
     if (!std::filesystem::exists(name, ignored)) {
         std::string names;
@@ -39,7 +46,7 @@ render::Scene sceneOf(const std::string& name) {
         }
         throw CliError(fmt::format("there is no file '{}'; built-in scenes are {}", name, names));
     }
-    return render::readScene(name);
+    return render::readScene(name, {options.cameraName, options.cameraNumber});
 }
 
 /// The point in front of a camera at which it is focused.
@@ -56,6 +63,7 @@ render::Camera placed(const SceneOptions& options, const render::Scene& scene,
     render::Camera camera =
         render::lookAt(position, target, options.up.value_or(kUp), old.verticalFov);
     camera.lensRadius = old.lensRadius;
+    camera.orthographicHeight = old.orthographicHeight;
     camera.focusDistance = (target - position).Length();
     return camera;
 }
@@ -74,7 +82,10 @@ void changeCamera(const SceneOptions& options, render::Scene& scene) {
     } catch (const std::invalid_argument& error) {
         throw CliError(fmt::format("--camera: {}", error.what()));
     }
-    if (options.fov) camera.verticalFov = static_cast<float>(*options.fov * kDegree);
+    if (options.fov) {
+        camera.verticalFov = static_cast<float>(*options.fov * kDegree);
+        camera.orthographicHeight = 0;
+    }
     if (options.lensRadius) camera.lensRadius = static_cast<float>(*options.lensRadius);
     if (options.focus) camera.focusDistance = static_cast<float>(*options.focus);
 }
@@ -102,7 +113,7 @@ std::string sceneList() {
 }
 
 render::Scene loadScene(const SceneOptions& options) {
-    render::Scene scene = sceneOf(options.scene);
+    render::Scene scene = sceneOf(options);
     if (options.environment) {
         scene.environment = render::readEnvironment(*options.environment, &scene.notes);
         replaceNote(scene.notes, render::kNoLightNote, "");

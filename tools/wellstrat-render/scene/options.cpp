@@ -71,7 +71,9 @@ void addSize(CLI::App& command, std::optional<ImageSize>& size) {
 
 CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
     CLI::Option* const scene =
-        command.add_option("scene", options.scene, "A built-in scene, or a file that Assimp reads")
+        command
+            .add_option("scene", options.scene,
+                        "A built-in scene, or a file: glTF, OBJ, and what else Assimp reads")
             ->type_name("SCENE");
     addSize(command, options.size);
     addNumber(command, "--depth", options.depth, {0, 1000},
@@ -85,6 +87,10 @@ CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
         .add_option("--environment", options.environment,
                     "Light from around: a latitude-longitude picture, such as FILE.hdr")
         ->type_name("FILE");
+    command.add_option("--camera-name", options.cameraName, "The scene file's camera of this name")
+        ->type_name("NAME");
+    addNumber(command, "--camera-number", options.cameraNumber, {1, kMaxWord},
+              "Which of the scene file's cameras, of this name if one is given [1]");
     addPoint(command, "--camera", options.position, "Where the camera is");
     addPoint(command, "--look-at", options.lookAt, "Where it looks, and is focused");
     addPoint(command, "--up", options.up, "What is up in the picture [0,1,0]");
@@ -111,6 +117,8 @@ std::string sceneArguments(const SceneOptions& options, ImageSize size) {
     const auto addPoint = [&text](const char* flag, const std::optional<Float3>& p) {
         if (p) text += fmt::format(" {} {},{},{}", flag, p->x, p->y, p->z);
     };
+    if (options.cameraName) text += " --camera-name " + shellWord(*options.cameraName);
+    if (options.cameraNumber) text += fmt::format(" --camera-number {}", *options.cameraNumber);
     addPoint("--camera", options.position);
     addPoint("--look-at", options.lookAt);
     addPoint("--up", options.up);

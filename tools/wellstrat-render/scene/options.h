@@ -21,6 +21,8 @@ struct ImageSize {
 struct SceneOptions {
     std::string scene;
     std::optional<std::string> environment;
+    std::optional<std::string> cameraName; ///< of a scene file
+    std::optional<uint64_t> cameraNumber;  ///< from 1
     std::optional<Float3> position, lookAt, up;
     std::optional<double> fov; ///< degrees
     std::optional<double> lensRadius, focus;
