@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "figure.h"
 #include "measures.h"
@@ -75,6 +76,9 @@ Subject subjectOf(const AnalyzeOptions& options, const PointSource* source) {
 }
 
 void analyze(const AnalyzeOptions& options) {
+    for (const std::string& path : options.files.paths) {
+        if (path != "-") declareInput(path);
+    }
     std::unique_ptr<Picture> picture;
     if (options.plot) {
         picture = std::make_unique<Picture>("--plot", *options.plot, options.keepPlotFiles);
@@ -91,10 +95,12 @@ void analyze(const AnalyzeOptions& options) {
         throw CliError("--plot: there is nothing to draw of one point in one dimension");
     }
     const Measures measures = measure(subject.set);
-    if (picture) picture->draw(measuresFigure(measures, points));
+    if (picture) {
+        picture->draw(measuresFigure(measures, points));
+        picture->commit();
+    }
     printText(options.json ? measuresJson(measures, subject.name)
                            : measuresText(measures, oneLine(subject.name)));
-    if (picture) picture->commit();
 }
 
 } // namespace

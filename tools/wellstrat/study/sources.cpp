@@ -5,6 +5,7 @@
 #include "common/command_line/errors.h"
 #include "common/command_line/generators.h"
 #include "common/command_line/options.h"
+#include "common/output/output_file.h"
 #include "points/point_file.h"
 
 #include "wellstrat/joint.h"
@@ -96,6 +97,7 @@ PointSourcePtr makeSource(const std::string& name) {
     if (startsWith(name, kFilePrefix)) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
+        if (options.path != "-") declareInput(options.path);
         return std::make_unique<FileSource>(readPatterns(options));
     }
     return findKind("--generators", name, ", joint:SLOT+SLOT, file:PATH").make();
@@ -130,11 +132,7 @@ StudySourceKind findStudySource(const std::string& option, const std::string& na
 
 std::vector<StudySource> makeStudySources(const std::vector<std::string>& names) {
     std::vector<StudySource> sources;
-    for (const std::string& name : names) {
-        const auto same = [&](const StudySource& source) { return source.name == name; };
-        if (std::any_of(sources.begin(), sources.end(), same)) continue;
-        sources.push_back({name, makeSource(name)});
-    }
+    for (const std::string& name : eachOnce(names)) sources.push_back({name, makeSource(name)});
     return sources;
 }
 
