@@ -246,6 +246,47 @@ class LeftBehindTest(CliTest):
             self.assertEqual(self.temporary_files(), [])
 
 
+class MemoryTest(CliTest):
+    """With too little memory: one line, exit code 2, and no more than what is finished."""
+
+    def check(self, limits, *command):
+        codes = set()
+        for megabytes in limits:
+            process = self.run_program(*command, preexec_fn=limited(resource.RLIMIT_AS,
+                                                                    megabytes << 20))
+            text = process.stderr.decode()
+            if text.startswith("terminate called") or "error while loading shared" in text:
+                continue  # libraries, before anything of ours runs
+            codes.add(process.returncode)
+            self.assertIn(process.returncode, (0, 2), (megabytes, text))
+            if process.returncode == 2:
+                self.assertRegex(text, r"\Awellstrat: [^\n]+\n\Z", megabytes)
+            self.assertEqual([name for name in self.files() if name.startswith(".")], [])
+            for name in self.files():
+                os.remove(self.path(name))
+        self.assertEqual(codes, {0, 2})
+
+    def test_points(self):
+        self.check(range(12, 160, 8), *STUDY, "-o", "r.csv")
+        self.check(range(12, 160, 8), "analyze", "--generator", "pmj", "--count", "1024")
+
+    @needs_renderer
+    def test_pictures(self):
+        self.check((*range(400, 900, 25), 4000), *RENDER[:2], "--size", "256x256", "--spp", "1",
+                   "--threads", "1", "-o", "a.exr")
+
+    @needs_renderer
+    def test_a_black_picture_is_no_result(self):
+        """Where memory ends before the first sample."""
+        for megabytes in range(560, 700, 10):
+            process = self.run_program(*RENDER, "-o", "a.png", preexec_fn=limited(
+                resource.RLIMIT_AS, megabytes << 20))
+            self.assertNotIn(b" with 0 of", process.stderr)
+            self.assertEqual(os.path.exists(self.path("a.png")), process.returncode == 0)
+            if process.returncode == 0:
+                os.remove(self.path("a.png"))
+
+
 class InputTest(CliTest):
     """Outputs that name an input are refused."""
 

@@ -7,7 +7,9 @@
 #include "messages.h"
 
 #include <csignal>
+#include <cstdio>
 #include <exception>
+#include <new>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -24,18 +26,25 @@ void openStandardStreams() {
     }
 }
 
+/// What std::terminate is called for.
+const char* reasonOfEnd(const std::exception_ptr& error) {
+    try {
+        if (error) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        return "out of memory";
+    } catch (const std::exception& known) {
+        return known.what();
+    } catch (...) {
+    }
+    return "an error where none can be handled";
+}
+
 [[noreturn]] void endInError() {
     removeTemporaryFiles();
-    const char* what = "wellstrat: an error where none can be handled\n";
-    if (const std::exception_ptr error = std::current_exception()) {
-        try {
-            std::rethrow_exception(error);
-        } catch (const std::bad_alloc&) {
-            what = "wellstrat: out of memory\n";
-        } catch (...) {
-        }
-    }
-    writeMessage(STDERR_FILENO, what);
+    const std::exception_ptr error = std::current_exception();
+    char line[512]; // there may be no memory
+    std::snprintf(line, sizeof line, "wellstrat: %s\n", reasonOfEnd(error));
+    writeMessage(STDERR_FILENO, line);
     _exit(kExitError);
 }
 

@@ -46,6 +46,11 @@ std::string countText(const render::Film& film) {
     return least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
 }
 
+bool hasSamples(const render::Film& film) {
+    return std::any_of(film.pixels().begin(), film.pixels().end(),
+                       [](const render::PixelSums& sums) { return sums.count > 0; });
+}
+
 void sayInvalid(const render::Film& film) {
     uint64_t invalid = 0;
     for (const render::PixelSums& sums : film.pixels()) invalid += sums.invalid;
@@ -113,7 +118,8 @@ void finish(const RenderOptions& options, Picture& picture, RenderEnd end, const
     }
 }
 
-/// What a process that is alone does if the run failed. Throws what tells of both.
+/// What a process that is alone does if the run failed and some samples are there. Throws what
+/// tells of both.
 [[noreturn]] void saveFailed(const RenderOptions& options, Picture& picture,
                              const std::exception& error) {
     const render::FilmPart part = partOf(picture, std::move(picture.part.film));
@@ -184,7 +190,7 @@ RenderEnd renderPicture(const RenderOptions& options, const render::Renderer& re
                             saveCheckpoint(options, picture, partOf(picture, film));
                         });
     } catch (const std::exception& error) {
-        if (ranks.size() == 1) saveFailed(options, picture, error);
+        if (ranks.size() == 1 && hasSamples(picture.part.film)) saveFailed(options, picture, error);
         throw;
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -131,11 +131,14 @@ public:
         if (Clock::now() - last_ >= std::chrono::seconds(options_.saveEvery)) save();
     }
     void save() {
-        if (!options_.writesToFile()) return;
+        if (!options_.writesToFile() || result_.patterns == 0) return;
         savings_.attempt([this] { saveState(options_.statePath(), plan_, result_); });
         last_ = Clock::now();
     }
-    bool failing() const { return savings_.failing(); }
+    /// Whether the state of now is there to go on from.
+    bool isSaved() const {
+        return options_.writesToFile() && result_.patterns > 0 && !savings_.failing();
+    }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -191,7 +194,7 @@ int run(const StudyOptions& options, const Ranks& ranks, Study& study) {
     writeResults(options, study);
     if (study.result.patterns == study.plan.patterns) return 0;
     say("interrupted after {} of {} patterns{}", study.result.patterns, study.plan.patterns,
-        options.writesToFile() && !checkpoints.failing() ? "; --resume goes on" : "");
+        checkpoints.isSaved() ? "; --resume goes on" : "");
     return kExitInterrupted;
 }
 
