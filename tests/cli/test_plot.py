@@ -110,6 +110,10 @@ class PlotTest(CliTest):
         self.assertEqual(len(sets["xstrata1"]), 256)
         self.assertLess(len(sets["xstrata0"]), 216)
 
+    def test_a_generator_that_is_named_twice_counts_once(self):
+        once = self.kept_data("--compare", "pmj", "--count", "16")
+        self.assertEqual(self.kept_data("--compare", "pmj,pmj", "--count", "16"), once)
+
     def test_strata(self):
         for count, lines in ((1, 2), (2, 2), (16, 5), (32, 5), (100, 9), (256, 17)):
             sets = self.kept_data("--count", str(count))
