@@ -260,7 +260,7 @@ class MemoryTest(CliTest):
             codes.add(process.returncode)
             self.assertIn(process.returncode, (0, 2), (megabytes, text))
             if process.returncode == 2:
-                self.assertRegex(text, r"\Awellstrat: [^\n]+\n\Z", megabytes)
+                self.assertRegex(text, r"\A(wellstrat|fftw): [^\n]+\n\Z", megabytes)
             self.assertEqual([name for name in self.files() if name.startswith(".")], [])
             for name in self.files():
                 os.remove(self.path(name))

@@ -48,12 +48,19 @@ const char* reasonOfEnd(const std::exception_ptr& error) {
     _exit(kExitError);
 }
 
+/// Libraries such as FFTW end the program where memory ends, after a line of their own.
+void endAfterAbort(int /*signal*/) {
+    removeTemporaryFiles();
+    _exit(kExitError);
+}
+
 } // namespace
 
 void startProcess() {
     openStandardStreams();
     std::signal(SIGXFSZ, SIG_IGN);
     std::set_terminate(endInError);
+    std::signal(SIGABRT, endAfterAbort);
 }
 
 void endProcess(int exitCode) { _exit(exitCode); }

@@ -10,7 +10,7 @@ namespace wellstrat::cli {
 /// is meant for them: to read or write them fails. Writing beyond the limit on the size of files
 /// fails too, instead of ending the program. What would end the program by std::terminate, such as
 /// a lack of memory where no exception may leave, ends it with one line, kExitError, and without
-/// temporary files.
+/// temporary files; so does std::abort, with the line of who calls it.
 void startProcess();
 
 /// Ends the program with this exit code, and leaves out the destructors of static objects: of those
