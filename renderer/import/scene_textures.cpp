@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -34,6 +35,8 @@ TexturePtr SceneTextures::get(const std::string& name, TextureUse use) {
     if (!isNew) return entry->second;
     try {
         entry->second = std::make_shared<const Texture>(read(name, use));
+    } catch (const std::bad_alloc&) {
+        throw; // without its textures the picture would be another one
     } catch (const std::exception& error) {
         notes_.add(fmt::format("The texture '{}' is left out: {}.", name, error.what()));
     }

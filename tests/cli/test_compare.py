@@ -180,7 +180,7 @@ class CompareTest(CliTest):
 
     def mean_square(self, *mask):
         """(The first line about the mask, the mean squared errors of pmj with 1 and 4 samples.)"""
-        lines = self.output_of("compare", *SCENE, "--generators", "pmj", "--spp", "1,4",
+        lines = self.output_of("compare", *SCENE, "--generators", "pmj,pmj", "--spp", "1,4",
                                "--reference", "ref.exr", "-o", "c.html", *mask).decode().splitlines()
         return lines[1], numpy.array([float(line.split()[2]) ** 2 for line in lines[-2:]])
 

@@ -11,6 +11,58 @@ from support import CliTest, read_csv, to_float
 from test_output import SAFE_NAMES
 
 
+# Of a user who has changed what gnuplot draws.
+SETTINGS = """
+set logscale xy
+set grid
+set key off
+set xrange [5:6]
+set yrange [*:0.001]
+set angles degrees
+set samples 5
+set style data lines
+set style fill pattern 3
+set datafile separator ','
+set datafile missing '0'
+set datafile commentschars '!'
+set decimalsign ','
+set encoding iso_8859_1
+set minussign
+set linetype 1 lc rgb 'red' lw 5 dashtype 3
+set linetype 2 lc rgb 'green' pt 3
+set linetype cycle 2
+set colorsequence podo
+set palette gray
+set pointsize 3
+set border 0
+set title 'mine' font ',40'
+set label 'mine' at screen 0.5,0.5
+set arrow from 0,0 to 1,1
+set object rectangle from 0,0 to 1,1
+set dummy u
+set parametric
+set polar
+set format '%e'
+set tics font ',30'
+set bars 5
+set tmargin 10
+set size 0.5,0.5
+set origin 0.3,0.3
+set view map
+set timestamp
+set boxwidth 3
+set jitter
+set xdata time
+set xtics 0.001
+set term svg size 100,100 font 'serif,30' dashed
+set fontpath '/nonexistent'
+data = 'mine'
+stem = 'mine'
+n = 3
+f(x) = 7
+"""
+
+
 def png_size(data):
     """Width and height of a PNG whose chunks are whole. ISO/IEC 15948, section 5.3."""
     assert data[:8] == b"\x89PNG\r\n\x1a\n"
@@ -57,6 +109,10 @@ class PlotTest(CliTest):
                                                      "--generator", generator)))
         self.assertEqual(len(sets["xstrata1"]), 256)
         self.assertLess(len(sets["xstrata0"]), 216)
+
+    def test_a_generator_that_is_named_twice_counts_once(self):
+        once = self.kept_data("--compare", "pmj", "--count", "16")
+        self.assertEqual(self.kept_data("--compare", "pmj,pmj", "--count", "16"), once)
 
     def test_strata(self):
         for count, lines in ((1, 2), (2, 2), (16, 5), (32, 5), (100, 9), (256, 17)):
@@ -113,11 +169,44 @@ class PlotTest(CliTest):
         self.assertEqual(self.files(), sorted(name + suffix for name in SAFE_NAMES
                                               for suffix in (".png", ".dat", ".gp")))
 
-    def test_no_temporary_files_stay(self):
+    def test_no_folder_for_temporary_files_is_needed(self):
         os.mkdir(self.path("tmp"))
-        self.output_of("sample", "--count", "4", "--plot", "plot.png",
-                       env={**os.environ, "TMPDIR": self.path("tmp")})
+        for folder in ("tmp", "missing"):
+            self.output_of("sample", "--count", "4", "--plot", "plot.png",
+                           env={**os.environ, "TMPDIR": self.path(folder)})
+        self.assertEqual(self.files(), ["plot.png", "tmp"])
         self.assertEqual(os.listdir(self.path("tmp")), [])
+
+    def test_kept_files_draw_the_same_under_other_settings(self):
+        """gnuplot reads ~/.gnuplot first."""
+        with open(self.path(".gnuplot"), "w", encoding="ascii") as file:
+            file.write(SETTINGS)
+        environment = {**os.environ, "HOME": self.directory}
+        arguments = ("--plot", "plot.svg", "--keep-plot-files")
+        for command in (("sample", "--count", "64"), ("analyze", "--generator", "pmj", "--count",
+                                                      "64"),
+                        ("study", "--integrands", "disk,step", "--patterns", "8")):
+            process = self.run_program(*command, *arguments)
+            self.assertEqual((process.returncode, process.stderr), (0, b""))
+            picture = self.read("plot.svg")
+            os.remove(self.path("plot.svg"))
+            drawn = subprocess.run(["gnuplot", "plot.gp"], cwd=self.directory, env=environment,
+                                   check=True, timeout=60, capture_output=True)
+            self.assertTrue(self.read("plot.svg") == picture, (command, drawn.stderr))
+
+    def test_pictures_without_text_are_told(self):
+        with open(self.path("fonts.conf"), "w", encoding="ascii") as file:
+            file.write("<fontconfig><dir>/nonexistent</dir></fontconfig>\n")
+        environment = {**os.environ, "FONTCONFIG_FILE": self.path("fonts.conf")}
+        for suffix in (".png", ".pdf", ".svg"):
+            process = self.run_program("sample", "--count", "4", "--plot", "plot" + suffix,
+                                       env=environment)
+            self.assertEqual(process.returncode, 0)
+            if suffix == ".svg":  # the fonts are those of who looks at it
+                self.assertEqual(process.stderr, b"")
+            else:
+                self.assertRegex(process.stderr,
+                                 rb"\Awellstrat: [^\n]*no fonts[^\n]*fonts-dejavu-core\n\Z")
 
 
 if __name__ == "__main__":

@@ -178,8 +178,9 @@ class ReportTest(CliTest):
                 (("--integrands", "edges,boxes"), "--integrands: at most 36"),
                 (("--patterns", "1"), "--patterns"), (("--count", "100"), "no power of two"),
                 (("--count", "2"), "--count"), (("--quick", "--thorough"), "--thorough"),
-                (("--bench", "none.json"), "none.json"), (("--bench", "text.json"), "scripts/bench"),
-                (("--bench", "empty.json"), "scripts/bench"),
+                (("--bench", "none.json"), "none.json"),
+                (("--bench", "text.json"), "scripts/bench --json writes: it is no JSON from byte"),
+                (("--bench", "empty.json"), "scripts/bench --json writes: processor, context"),
                 (("--bench", "negative.json"), "not above 0")):
             self.assert_fails("report", *arguments, mentions=mentions)
 

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/interrupt.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/command_line/render_commands.h"
 #include "common/command_line/versions.h"
@@ -223,7 +224,7 @@ int run(const DomainsOptions& options, const Ranks& ranks, const DomainsJob& job
         printText(textOf(options, job.size, errors));
         return 0;
     } catch (const Interrupted&) {
-        if (ranks.isRoot()) fmt::print(stderr, "wellstrat: interrupted\n");
+        if (ranks.isRoot()) say("interrupted");
         return kExitInterrupted;
     }
 }
@@ -244,6 +245,7 @@ void addDomains(CLI::App& app, int& exitCode) {
         ->type_name("FILE");
     command->footer(kExamples);
     command->callback([options, &exitCode] {
+        options->generators = eachOnce(options->generators);
         exitCode = runOnRanks(
             [&](const Ranks& ranks) { return prepare(*options, ranks.isRoot()); },
             [&](const Ranks& ranks, DomainsJob& job) { return run(*options, ranks, job); });

@@ -5,6 +5,7 @@
 
 #include "commands.h"
 #include "common/command_line/errors.h"
+#include "common/command_line/process_start.h"
 #include "common/command_line/program.h"
 #include "common/command_line/render_commands.h"
 
@@ -25,12 +26,14 @@ Exit codes: 0 done, 2 error, 130 interrupted.
 } // namespace
 
 int main(int argc, char** argv) {
-    return exitCodeOf([&] {
+    startProcess();
+    endProcess(exitCodeOf([&] {
         const bool isPart = argc > 0 && std::filesystem::path(argv[0]).filename() == "wellstrat";
-        return runProgram({isPart ? "wellstrat" : kRenderProgram,
-                           "The part of wellstrat that renders.",
-                           kExamples,
-                           {addRender, addMerge, addCompare, addDomains}},
-                          argc, argv);
-    });
+        return runProgram(
+            {isPart ? "wellstrat" : kRenderProgram,
+             "The part of wellstrat that renders.",
+             kExamples,
+             {{addRender, kShared}, {addMerge}, {addCompare, kShared}, {addDomains, kShared}}},
+            argc, argv);
+    }));
 }

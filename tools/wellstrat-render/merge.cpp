@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/render_commands.h"
 #include "image/files.h"
 
@@ -33,6 +34,7 @@ struct MergeOptions {
 };
 
 void merge(const MergeOptions& options) {
+    for (const std::string& path : options.inputs) declareInput(path);
     ImageFiles files("--output", options.outputs);
     render::FilmPart sum = readImage(options.inputs.front());
     for (std::size_t i = 1; i < options.inputs.size(); ++i) {
@@ -45,9 +47,8 @@ void merge(const MergeOptions& options) {
         }
     }
     files.write(sum);
-    files.commit();
     const std::string missing = render::missingSamples(sum);
-    if (!missing.empty()) fmt::print(stderr, "wellstrat: missing: {}\n", missing);
+    if (!missing.empty()) say("missing: {}", missing);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "common/command_line/errors.h"
+#include "common/command_line/process_start.h"
 #include "common/command_line/program.h"
 #include "render_program.h"
 
@@ -25,13 +26,22 @@ Exit codes: 0 done, 1 a promise does not hold (verify), 2 error.
 } // namespace
 
 int main(int argc, char** argv) {
+    startProcess();
     return exitCodeOf([&] {
         if (namesRenderCommand(argc, argv)) becomeRenderProgram(argv);
         return runProgram({"wellstrat",
                            "Well-stratified samples for renderers.",
                            kExamples,
-                           {addSample, addVerify, addTables, addAnalyze, addInfo, addStudy,
-                            addReport, addBank, addRanks, addRenderCommands}},
+                           {{addSample},
+                            {addVerify},
+                            {addTables},
+                            {addAnalyze},
+                            {addInfo},
+                            {addStudy, kShared},
+                            {addReport, kShared},
+                            {addBank},
+                            {addRanks},
+                            {addRenderCommands}}},
                           argc, argv);
     });
 }

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -23,9 +24,8 @@ public:
 /// The error "cannot ACTION 'PATH': reason", with the reason that `errnoValue` stands for.
 CliError fileError(std::string_view action, std::string_view path, int errnoValue);
 
-/// `text` with control characters written as \n, \t or \xNN, so that it prints as one line
-/// whatever file names it quotes.
-std::string oneLine(std::string_view text);
+/// Says what went wrong: what() of `error`, or that memory is out.
+std::string messageOf(const std::exception& error);
 
 /// What run() returns or, if it throws a std::exception, kExitError after one line on the standard
 /// error that says why.

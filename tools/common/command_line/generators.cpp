@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace wellstrat::cli {
 
 const std::vector<NamedGenerator>& namedGenerators() {
@@ -45,6 +47,14 @@ const NamedGenerator& findGenerator(const std::string& option, const std::string
     }
     throw CliError(
         fmt::format("{}: no generator is called '{}'; there are {}", option, name, names));
+}
+
+std::vector<std::string> eachOnce(const std::vector<std::string>& names) {
+    std::vector<std::string> once;
+    for (const std::string& name : names) {
+        if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+    }
+    return once;
 }
 
 } // namespace wellstrat::cli

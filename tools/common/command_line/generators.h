@@ -30,4 +30,7 @@ const std::vector<NamedGenerator>& sampleGenerators();
 const NamedGenerator& findGenerator(const std::string& option, const std::string& name,
                                     const std::vector<NamedGenerator>& among = namedGenerators());
 
+/// `names` without repetitions, each in its first place.
+std::vector<std::string> eachOnce(const std::vector<std::string>& names);
+
 } // namespace wellstrat::cli

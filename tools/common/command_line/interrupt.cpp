@@ -7,12 +7,17 @@
 namespace wellstrat::cli {
 namespace {
 
-/// What the signals do without the guard.
-struct sigaction unguardedInt, unguardedTerm;
+/// A signal that is guarded, and what it does without the guard.
+struct Guarded {
+    int signal;
+    struct sigaction unguarded;
+};
+Guarded guardedSignals[]{{SIGINT, {}}, {SIGTERM, {}}, {SIGHUP, {}}};
 
 void unguard() {
-    sigaction(SIGINT, &unguardedInt, nullptr);
-    sigaction(SIGTERM, &unguardedTerm, nullptr);
+    for (const Guarded& guarded : guardedSignals) {
+        sigaction(guarded.signal, &guarded.unguarded, nullptr);
+    }
 }
 
 void interrupt(int /*signal*/) {
@@ -27,8 +32,11 @@ std::atomic<bool> InterruptGuard::interrupted{false};
 InterruptGuard::InterruptGuard() {
     struct sigaction action {};
     action.sa_handler = interrupt;
-    sigaction(SIGINT, &action, &unguardedInt);
-    sigaction(SIGTERM, &action, &unguardedTerm);
+    for (Guarded& guarded : guardedSignals) {
+        sigaction(guarded.signal, nullptr, &guarded.unguarded);
+        if (guarded.unguarded.sa_handler == SIG_IGN) continue;
+        sigaction(guarded.signal, &action, nullptr);
+    }
 }
 
 InterruptGuard::~InterruptGuard() { unguard(); }

@@ -10,8 +10,8 @@ namespace wellstrat::cli {
 
 constexpr int kExitInterrupted = 130; ///< as shells say of Ctrl-C
 
-/// While it exists, the first SIGINT or SIGTERM sets `interrupted`; the next does what it did
-/// before. One at a time.
+/// While it exists, the first SIGINT, SIGTERM or SIGHUP sets `interrupted`; the next does what it
+/// did before. One that is ignored, as under nohup, stays so. One guard at a time.
 class InterruptGuard {
 public:
     InterruptGuard();

@@ -2,6 +2,8 @@
 
 #include "program.h"
 
+#include "common/output/output_file.h"
+#include "common/ranks/ranks.h"
 #include "errors.h"
 #include "versions.h"
 
@@ -11,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <memory>
+#include <sstream>
 #include <string>
 
 #if defined(__GLIBC__)
@@ -39,6 +42,19 @@ CliError noSubcommand(const CLI::App& app) {
                                 fmt::join(names, ", ")));
 }
 
+/// Of an option that has too many or too few values.
+CliError wrongNumber(const CLI::App& app, const CLI::ArgumentMismatch& error) {
+    for (const CLI::App* command : app.get_subcommands()) {
+        for (const CLI::Option* option : command->get_options()) {
+            if (static_cast<int>(option->count()) <= option->get_items_expected_max()) continue;
+            return CliError(fmt::format("{} may be given once, not {} times", option->get_name(),
+                                        option->count()));
+        }
+    }
+    const std::string text = error.what();
+    return CliError(text.substr(0, text.find(':')) + " needs a value after it");
+}
+
 /// Lets threads keep the memory that they free for their next task. Given back to the system, it
 /// would be cleared each time, which takes a quarter of the time of a study.
 void keepFreedMemory() {
@@ -46,6 +62,21 @@ void keepFreedMemory() {
     mallopt(M_MMAP_THRESHOLD, 1 << 26);
     mallopt(M_TRIM_THRESHOLD, 1 << 28);
 #endif
+}
+
+/// Prints what --help and --version ask for. Throws CliError for a command line that is wrong.
+void answer(const CLI::App& app, const CLI::ParseError& stop) {
+    if (dynamic_cast<const CLI::Success*>(&stop) != nullptr) {
+        std::ostringstream text;
+        app.exit(stop, text);
+        printText(text.str());
+        return;
+    }
+    if (const auto* const mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&stop)) {
+        throw wrongNumber(app, *mismatch);
+    }
+    if (app.get_subcommands().empty()) throw noSubcommand(app);
+    throw CliError(stop.what());
 }
 
 } // namespace
@@ -60,14 +91,15 @@ int runProgram(const Program& program, int argc, char** argv) {
     app.get_formatter()->column_width(26);
     app.footer(program.examples);
     app.require_subcommand(1);
-    for (const AddCommand add : program.commands) add(app, exitCode);
+    const bool isRoot = launchedRank() == 0;
+    for (const Command& command : program.commands) {
+        command.add(app, exitCode);
+        if (!isRoot && !command.isShared) app.get_subcommands({}).back()->callback([] {});
+    }
     try {
         app.parse(argc, argv);
-    } catch (const CLI::Success& request) {
-        return app.exit(request);
-    } catch (const CLI::ParseError&) {
-        if (app.get_subcommands().empty()) throw noSubcommand(app);
-        throw;
+    } catch (const CLI::ParseError& stop) {
+        if (isRoot) answer(app, stop);
     }
     return exitCode;
 }

@@ -15,13 +15,20 @@ namespace wellstrat::cli {
 /// must outlive `app`.
 using AddCommand = void (*)(CLI::App& app, int& exitCode);
 
+struct Command {
+    AddCommand add;
+    bool isShared =
+        false; ///< by the processes of mpirun; else rank 0 runs it, and others do nothing
+};
+constexpr bool kShared = true;
+
 struct Program {
     const char *name, *description, *examples;
-    std::vector<AddCommand> commands;
+    std::vector<Command> commands;
 };
 
-/// Runs the sub-command that the command line names. Returns the exit code; throws
-/// std::exception.
+/// Runs the sub-command that the command line names; of several processes, rank 0 alone says what
+/// is wrong with that line. Returns the exit code; throws std::exception.
 int runProgram(const Program& program, int argc, char** argv);
 
 } // namespace wellstrat::cli

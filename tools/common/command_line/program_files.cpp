@@ -26,7 +26,7 @@ std::optional<std::string> findOwnFile(const std::string& name) {
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
     if (error) return {};
     for (const char* folder : {".", WELLSTRAT_OWN_FOLDER}) {
-        const fs::path path = (program.parent_path() / folder / name).lexically_normal();
+        const fs::path path = program.parent_path() / folder / name;
         if (isFile(path)) return path.string();
     }
     return {};

@@ -3,14 +3,18 @@
 #include "output_file.h"
 
 #include "common/command_line/errors.h"
+#include "temporary_file.h"
+#include "write_all.h"
 
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
 #include <set>
+#include <utility>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,6 +22,8 @@ namespace wellstrat::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kBufferSize = std::size_t{1} << 16;
 
 /// The targets of all files being written.
 std::set<std::string>& openTargets() {
@@ -34,25 +40,43 @@ mode_t permissions(const std::string& target) {
     return 0666 & ~mask;
 }
 
+/// The files that are read.
+std::set<std::string>& inputs() {
+    static std::set<std::string> names;
+    return names;
+}
+
+/// The file that `path` names, through all links, also one to nothing yet.
+std::string targetOf(const std::string& path) {
+    std::error_code error, noLink;
+    fs::path target = fs::weakly_canonical(path, error);
+    const fs::path leadsTo = fs::read_symlink(target, noLink);
+    if (!noLink) target = target.parent_path() / leadsTo;
+    if (error) throw fileError("write", path, error.value());
+    return target.string();
+}
+
+CliError replacesInput(const std::string& path) {
+    return CliError(fmt::format(
+        "'{}' is an input, which an output would replace; give the output another name", path));
+}
+
 /// Opens a new file beside `target` under a name of its own, which it returns in `name`: short,
 /// since the target's name may be as long as names can be.
-std::FILE* openTemporary(const std::string& target, std::string& name) {
-    name = (fs::path(target).parent_path() / ".wellstrat-XXXXXX").string();
-    const int descriptor = mkstemp(name.data());
+int openTemporary(const std::string& target, std::string& name) {
+    const int descriptor = openTemporaryFile(fs::path(target).parent_path().string(), name);
     if (descriptor < 0) {
         name.clear();
-        return nullptr;
+    } else {
+        fchmod(descriptor, permissions(target)); // not on all file systems
     }
-    if (fchmod(descriptor, permissions(target)) == 0) {
-        if (std::FILE* const file = fdopen(descriptor, "wb")) return file;
-    }
-    ::close(descriptor);
-    return nullptr;
+    return descriptor;
 }
 
 } // namespace
 
-OutputFile::OutputFile(const std::string& path) : path_(path), target_(path), file_(stdout) {
+OutputFile::OutputFile(const std::string& path)
+    : path_(path), target_(path), descriptor_(STDOUT_FILENO) {
     if (path == "-") {
         path_ = "standard output";
         return;
@@ -63,21 +87,17 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path), fi
         throw fileError("write", path, path.empty() ? ENOENT : EISDIR);
     }
     if (fs::exists(status) && !fs::is_regular_file(status)) {
-        file_ = std::fopen(path.c_str(), "wb");
+        descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     } else {
-        fs::path target = fs::weakly_canonical(path, error);
-        std::error_code noLink;
-        const fs::path leadsTo = fs::read_symlink(target, noLink); // to nothing yet
-        if (!noLink) target = target.parent_path() / leadsTo;
-        target_ = target.string();
-        if (error) throw fileError("write", path, error.value());
+        target_ = targetOf(path);
+        if (inputs().count(target_) > 0) throw replacesInput(path);
         if (!openTargets().insert(target_).second) {
             throw CliError(fmt::format("'{}' is the name of two outputs; give each its own", path));
         }
-        file_ = openTemporary(target_, temporary_);
+        descriptor_ = openTemporary(target_, temporary_);
         if (!temporary_.empty()) removed_.emplace(temporary_);
     }
-    if (file_ == nullptr) {
+    if (descriptor_ < 0) {
         const int reason = errno;
         discard();
         throw fileError("write", path, reason);
@@ -85,7 +105,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path), fi
 }
 
 OutputFile::~OutputFile() {
-    if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+    if (descriptor_ > STDERR_FILENO) ::close(descriptor_);
     discard();
 }
 
@@ -95,26 +115,36 @@ void OutputFile::discard() {
 }
 
 void OutputFile::write(std::string_view bytes) {
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) {
+    if (buffer_.size() + bytes.size() > kBufferSize) flush();
+    if (bytes.size() < kBufferSize) {
+        buffer_ += bytes;
+    } else if (!writeAll(descriptor_, bytes)) {
         throw fileError("write", path_, errno);
     }
 }
 
-void OutputFile::close() {
-    std::FILE* const file = file_;
-    file_ = nullptr;
-    const int result = file == stdout ? std::fflush(file) : std::fclose(file);
-    if (result != 0) throw fileError("write", path_, errno);
+void OutputFile::flush() {
+    const bool isWritten = writeAll(descriptor_, buffer_);
+    buffer_.clear();
+    if (!isWritten) throw fileError("write", path_, errno);
 }
 
 void OutputFile::commit() {
-    close();
+    flush();
+    if (descriptor_ == STDOUT_FILENO) return;
+    if (::close(std::exchange(descriptor_, -1)) != 0) throw fileError("write", path_, errno);
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) {
         throw fileError("write", path_, errno);
     }
     temporary_.clear();
     removed_.reset();
+}
+
+void declareInput(const std::string& path) {
+    const std::string target = targetOf(path);
+    if (openTargets().count(target) > 0) throw replacesInput(path);
+    inputs().insert(target);
 }
 
 void printText(std::string_view text) {

@@ -6,7 +6,6 @@
 
 #include "removed_on_signal.h"
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,8 +16,9 @@ namespace wellstrat::cli {
 /// renames; without a commit the destructor, or the signal of Ctrl-C, removes it, and a file of
 /// that name stays as it was. The path "-" is the standard output; that, devices and pipes are
 /// written directly. A symbolic link stays, and the file that it leads to is replaced, with the
-/// permissions that it had. Two files being written cannot have one name. All functions throw
-/// CliError on failure.
+/// permissions that it had. Two files being written cannot have one name, nor can one that is read.
+/// A temporary file that was left behind by a program that was killed is removed when the next one
+/// writes to that directory. All functions throw CliError on failure.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& path);
@@ -30,15 +30,20 @@ public:
     void commit();
 
 private:
-    void close();
+    void flush();
     void discard();
 
     std::string path_;
     std::string target_;    ///< what the temporary file will be renamed to
     std::string temporary_; ///< empty when written directly
     std::optional<RemovedOnSignal> removed_;
-    std::FILE* file_;
+    int descriptor_; ///< -1 when closed
+    std::string buffer_;
 };
+
+/// Says that the file `path` is read. Throws CliError if an OutputFile is to replace it; later ones
+/// will not.
+void declareInput(const std::string& path);
 
 /// Prints to the standard output at once. Throws CliError if that fails.
 void printText(std::string_view text);

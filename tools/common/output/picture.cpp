@@ -3,56 +3,19 @@
 #include "picture.h"
 
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
+#include "memory_file.h"
 #include "process.h"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 namespace wellstrat::cli {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A directory that is removed with all in it.
-class TemporaryDirectory {
-public:
-    TemporaryDirectory() {
-        std::error_code error;
-        path_ = (fs::temp_directory_path(error) / "wellstrat-XXXXXX").string();
-        if (error) throw fileError("use", "TMPDIR", error.value());
-        if (mkdtemp(path_.data()) == nullptr) throw fileError("create", path_, errno);
-    }
-    ~TemporaryDirectory() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryDirectory(const TemporaryDirectory&) = delete;
-    TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-    std::string file(const std::string& name) const { return path_ + "/" + name; }
-
-private:
-    std::string path_;
-};
-
-std::string readFile(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-void writeFile(const std::string& path, const std::string& bytes) {
-    OutputFile file(path);
-    file.write(bytes);
-    file.commit();
-}
 
 std::string terminal(const std::string& suffix, unsigned width, unsigned height) {
     if (suffix == ".png") {
@@ -65,23 +28,58 @@ std::string terminal(const std::string& suffix, unsigned width, unsigned height)
                        height / 96.0);
 }
 
-/// The script with its set-up. It derives the names of the data and of the picture from its own, so
+/// Undoes what gnuplotrc and ~/.gnuplot may have set, also what `reset` leaves.
+constexpr auto kDefaults =
+    "reset\n"
+    "set encoding utf8\n"
+    "unset decimalsign\n"
+    "unset minussign\n"
+    "set colorsequence default\n"
+    "do for [i = 1:8] { set linetype i linewidth 1 dashtype solid pointtype i pointsize default "
+    "}\n";
+
+/// The script as it is kept. It derives the names of the data and of the picture from its own, so
 /// it works wherever the three lie together.
-std::string fullScript(const Plot& plot, const std::string& suffix) {
+std::string keptScript(const Plot& plot, const std::string& suffix) {
     return fmt::format(
         "# Run by gnuplot, reads the .dat file beside this one, writes the {1} file.\n"
+        "{3}"
         "stem = ARG0[1:strlen(ARG0)-3]\n"
         "data = stem.'.dat'\n"
         "set terminal {0}\n"
         "set output stem.'{1}'\n"
         "{2}",
-        terminal(suffix, plot.width, plot.height), suffix, plot.script);
+        terminal(suffix, plot.width, plot.height), suffix, plot.script, kDefaults);
 }
 
-void runGnuplot(const std::string& script, const std::string& log) {
+/// Two small pictures, with a letter and without, which are the same if there are no fonts.
+class FontTrial {
+public:
+    std::string script() const {
+        return fmt::format(
+            "unset output\n"
+            "reset\n"
+            "set terminal pngcairo size 40,40 font 'sans,11'\n"
+            "unset border; unset tics; unset key\n"
+            "set output '{}'\n"
+            "plot [0:1] [0:1] 2\n"
+            "set output '{}'\n"
+            "set label 'W' at 0.5,0.5\n"
+            "replot\n"
+            "unset output\n",
+            without_.path(), with_.path());
+    }
+    bool hasFonts() const { return with_.read() != without_.read(); }
+
+private:
+    MemoryFile with_, without_;
+};
+
+void runGnuplot(const std::string& script) {
+    const MemoryFile file(script), log;
     int exitCode = 0;
     try {
-        exitCode = runProcess({"gnuplot", "--default-settings", script}, log);
+        exitCode = runProcess({"gnuplot", "--default-settings", file.path()}, log.descriptor());
     } catch (const std::system_error& error) {
         throw CliError(
             fmt::format("plots need gnuplot, which cannot be run from PATH ({}); on Debian, "
@@ -89,21 +87,33 @@ void runGnuplot(const std::string& script, const std::string& log) {
                         error.code().message()));
     }
     if (exitCode != 0) {
-        throw CliError(fmt::format("gnuplot failed (exit code {}): {}", exitCode, readFile(log)));
+        throw CliError(fmt::format("gnuplot failed (exit code {}): {}", exitCode, log.read()));
     }
+}
+
+/// Once is enough.
+void sayNoFonts() {
+    static const bool isSaid =
+        (say("gnuplot finds no fonts, so there is no text in the picture; on Debian, install "
+             "fonts-dejavu-core"),
+         true);
+    static_cast<void>(isSaid);
 }
 
 } // namespace
 
 DrawnPlot drawPlot(const Plot& plot, const std::string& suffix) {
-    const TemporaryDirectory directory;
-    std::string script = fullScript(plot, suffix);
-    writeFile(directory.file("plot.gp"), script);
-    writeFile(directory.file("plot.dat"), plot.data);
-    runGnuplot(directory.file("plot.gp"), directory.file("log"));
-    std::string picture = readFile(directory.file("plot" + suffix));
-    if (picture.empty()) throw CliError("gnuplot wrote no picture");
-    return {std::move(picture), std::move(script)};
+    const MemoryFile data(plot.data), picture;
+    std::string script =
+        fmt::format("{}data = '{}'\nset terminal {}\nset output '{}'\n{}", kDefaults, data.path(),
+                    terminal(suffix, plot.width, plot.height), picture.path(), plot.script);
+    std::optional<FontTrial> trial; // who looks at an SVG has fonts of his own
+    if (suffix != ".svg") script += trial.emplace().script();
+    runGnuplot(script);
+    DrawnPlot drawn{picture.read(), keptScript(plot, suffix)};
+    if (drawn.picture.empty()) throw CliError("gnuplot wrote no picture");
+    if (trial && !trial->hasFonts()) sayNoFonts();
+    return drawn;
 }
 
 Picture::Picture(const std::string& option, const std::string& path, bool keepFiles)

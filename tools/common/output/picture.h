@@ -2,9 +2,9 @@
 //
 // Pictures drawn by gnuplot.
 //
-// gnuplot runs as a child process in a temporary directory of ours, on files whose names we chose,
-// so no string of the user ever reaches it: neither a shell, nor its script, nor its file names,
-// in which a leading "|" or "<" would start a program.
+// gnuplot runs as a child process on files in memory, whose names we chose, so no string of the
+// user ever reaches it: neither a shell, nor its script, nor its file names, in which a leading "|"
+// or "<" would start a program.
 
 #pragma once
 
@@ -30,7 +30,7 @@ struct DrawnPlot {
 };
 
 /// Runs gnuplot for the format that `suffix` stands for: .png, .svg or .pdf. Throws CliError if
-/// gnuplot is missing or fails.
+/// gnuplot is missing or fails. Says so if gnuplot finds no fonts.
 DrawnPlot drawPlot(const Plot& plot, const std::string& suffix);
 
 /// A picture file; with `keepFiles` also the data and the script beside it, with the picture's

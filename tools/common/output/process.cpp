@@ -22,11 +22,11 @@ void check(int errnoValue, const char* what) {
 /// Where the streams of the child lead.
 class Redirections {
 public:
-    explicit Redirections(const std::string& log) {
+    explicit Redirections(int output) {
         check(posix_spawn_file_actions_init(&actions_), "posix_spawn_file_actions_init");
-        open(STDIN_FILENO, "/dev/null", O_RDONLY);
-        open(STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC);
-        posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
+        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
     }
     ~Redirections() { posix_spawn_file_actions_destroy(&actions_); }
     Redirections(const Redirections&) = delete;
@@ -35,23 +35,19 @@ public:
     const posix_spawn_file_actions_t* get() const { return &actions_; }
 
 private:
-    void open(int descriptor, const char* path, int flags) {
-        posix_spawn_file_actions_addopen(&actions_, descriptor, path, flags, 0600);
-    }
-
     posix_spawn_file_actions_t actions_;
 };
 
 } // namespace
 
-int runProcess(const std::vector<std::string>& arguments, const std::string& log) {
+int runProcess(const std::vector<std::string>& arguments, int output) {
     std::vector<char*> argv;
     argv.reserve(arguments.size() + 1);
     for (const std::string& argument : arguments) {
         argv.push_back(const_cast<char*>(argument.c_str())); // posix_spawnp does not write to them
     }
     argv.push_back(nullptr);
-    const Redirections redirections(log);
+    const Redirections redirections(output);
     pid_t pid;
     check(posix_spawnp(&pid, argv[0], redirections.get(), nullptr, argv.data(), environ), argv[0]);
     int status = 0;

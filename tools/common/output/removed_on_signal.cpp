@@ -22,14 +22,12 @@ static_assert(std::atomic<char*>::is_always_lock_free, "signal handlers may use 
 
 /// By SA_RESETHAND the signal has its default action again, which follows when this returns.
 void removeAll(int signal) {
-    for (std::atomic<char*>& path : paths) {
-        if (const char* const taken = path.exchange(nullptr)) unlink(taken);
-    }
+    removeTemporaryFiles();
     raise(signal);
 }
 
 void installHandlers() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU}) {
         struct sigaction action {};
         if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler != SIG_DFL) continue;
         action.sa_handler = removeAll;
@@ -44,6 +42,7 @@ RemovedOnSignal::RemovedOnSignal(const std::string& path) : slot_(0) {
     static const bool installed = (installHandlers(), true);
     static_cast<void>(installed);
     char* const copy = strdup(path.c_str());
+    if (copy == nullptr) slot_ = kSlots;
     for (char* none = nullptr; slot_ < kSlots; ++slot_, none = nullptr) {
         if (paths[slot_].compare_exchange_strong(none, copy)) return;
     }
@@ -52,6 +51,12 @@ RemovedOnSignal::RemovedOnSignal(const std::string& path) : slot_(0) {
 
 RemovedOnSignal::~RemovedOnSignal() {
     if (slot_ < kSlots) std::free(paths[slot_].exchange(nullptr));
+}
+
+void removeTemporaryFiles() {
+    for (std::atomic<char*>& path : paths) {
+        if (const char* const taken = path.exchange(nullptr)) unlink(taken);
+    }
 }
 
 } // namespace wellstrat::cli

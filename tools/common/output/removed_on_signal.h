@@ -8,9 +8,9 @@
 
 namespace wellstrat::cli {
 
-/// While it exists, SIGINT, SIGTERM and SIGHUP remove the file `path` before they end the program.
-/// A signal that is ignored stays so, and one that has another handler is its. Of more than 64 at a
-/// time, the last ones do nothing.
+/// While it exists, the signals that end programs, such as SIGINT and SIGTERM, remove the file
+/// `path` before they end the program. A signal that is ignored stays so, and one that has another
+/// handler is its. Of more than 64 at a time, the last ones do nothing.
 class RemovedOnSignal {
 public:
     explicit RemovedOnSignal(const std::string& path);
@@ -21,5 +21,8 @@ public:
 private:
     std::size_t slot_;
 };
+
+/// Removes all these files now. May be called where the program ends, in a signal handler too.
+void removeTemporaryFiles();
 
 } // namespace wellstrat::cli

@@ -3,6 +3,7 @@
 #include "ranks.h"
 
 #include "common/command_line/errors.h"
+#include "common/command_line/options.h"
 #include "common/command_line/program_files.h"
 
 #include <fmt/format.h>
@@ -42,6 +43,17 @@ std::unique_ptr<Communicator> join() {
 }
 
 } // namespace
+
+unsigned launchedRank() {
+    for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"}) {
+        uint64_t rank = 0;
+        const char* const text = std::getenv(name);
+        if (text != nullptr && parseNumber(text, {0, kMaxWord}, rank)) {
+            return static_cast<unsigned>(rank);
+        }
+    }
+    return 0;
+}
 
 Ranks::Ranks() {
     if (!launched()) return;

@@ -16,6 +16,10 @@
 
 namespace wellstrat::cli {
 
+/// The rank that a launcher has given this process, known before it joins the others; 0 without
+/// one.
+unsigned launchedRank();
+
 /// One object a process, made and destroyed once in the main thread, which alone may call its
 /// functions. All processes call the same functions in the same order: each waits for the others.
 class Ranks {

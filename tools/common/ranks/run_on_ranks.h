@@ -5,11 +5,9 @@
 #pragma once
 
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "ranks.h"
 
-#include <fmt/format.h>
-
-#include <cstdio>
 #include <exception>
 #include <optional>
 
@@ -38,7 +36,7 @@ int runOnRanks(Prepare&& prepare, Run&& run) {
         return run(ranks, *job);
     } catch (const std::exception& error) {
         if (ranks.size() == 1) throw;
-        fmt::print(stderr, "wellstrat: {}\n", oneLine(error.what()));
+        sayText(messageOf(error));
         ranks.abort(kExitError);
         return kExitError;
     }

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/interrupt.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/command_line/render_commands.h"
 #include "common/ranks/run_on_ranks.h"
@@ -60,6 +61,7 @@ constexpr uint64_t kMostSeeds = 255; ///< with kMostMeasuredSamples, less than 2
 render::FilmPart readReference(const CompareOptions& options, const std::string& fingerprint,
                                ImageSize size) {
     const std::string& path = *options.reference;
+    declareInput(path);
     render::FilmPart part = readImage(path);
     const auto refuse = [&path](const std::string& reason) {
         return CliError(fmt::format("--reference: '{}' {}", path, reason));
@@ -94,6 +96,7 @@ render::PixelMask readMask(const std::string& path, ImageSize size) {
     const auto refuse = [&path](const std::string& reason) {
         return CliError(fmt::format("--mask: '{}' {}", path, reason));
     };
+    declareInput(path);
     try {
         render::PixelMask mask = render::readMask(path);
         if (mask.width != size.width || mask.height != size.height) {
@@ -170,7 +173,7 @@ std::string drawFor(const std::unique_ptr<Picture>& picture, const Plot& plot) {
 int run(const CompareOptions& options, const Ranks& ranks, CompareJob& job) {
     Comparison comparison(oneLine(options.scene.scene), job.size.width, job.size.height);
     if (!renderComparison(options, job, ranks, comparison)) {
-        if (ranks.isRoot()) fmt::print(stderr, "wellstrat: interrupted\n");
+        if (ranks.isRoot()) say("interrupted");
         return kExitInterrupted;
     }
     if (!ranks.isRoot()) return 0;
@@ -265,6 +268,7 @@ void addCompare(CLI::App& app, int& exitCode) {
                       "Keep the curves: FILE-errors and FILE-spectra, .svg, .dat and .gp");
     command->footer(kExamples);
     command->callback([options, &exitCode] {
+        options->generators = eachOnce(options->generators);
         exitCode = runOnRanks(
             [&](const Ranks& ranks) { return prepare(*options, ranks.isRoot()); },
             [&](const Ranks& ranks, CompareJob& job) { return run(*options, ranks, job); });

@@ -3,6 +3,7 @@
 #include "run.h"
 
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "image/run.h"
 #include "measure.h"

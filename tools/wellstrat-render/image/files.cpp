@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 #include <stdexcept>
 
 namespace wellstrat::cli {
@@ -27,21 +28,27 @@ bool ImageFiles::keepSums() const {
 }
 
 void ImageFiles::write(const render::FilmPart& part) {
+    std::exception_ptr failure;
     for (std::size_t i = 0; i < files_.size(); ++i) {
         try {
-            files_[i].write(suffixes_[i] == ".exr"
-                                ? render::encodePart(part)
-                                : render::encodePicture(part.film, suffixes_[i]));
-        } catch (const CliError&) {
-            throw;
-        } catch (const std::runtime_error& error) {
-            throw CliError(fmt::format("cannot write '{}': {}", paths_[i], error.what()));
+            write(i, part);
+        } catch (const std::exception&) {
+            if (!failure) failure = std::current_exception();
         }
     }
+    if (failure) std::rethrow_exception(failure);
 }
 
-void ImageFiles::commit() {
-    for (OutputFile& file : files_) file.commit();
+void ImageFiles::write(std::size_t i, const render::FilmPart& part) {
+    try {
+        files_[i].write(suffixes_[i] == ".exr" ? render::encodePart(part)
+                                               : render::encodePicture(part.film, suffixes_[i]));
+        files_[i].commit();
+    } catch (const CliError&) {
+        throw;
+    } catch (const std::exception& error) {
+        throw CliError(fmt::format("cannot write '{}': {}", paths_[i], messageOf(error)));
+    }
 }
 
 render::FilmPart readImage(const std::string& path) {

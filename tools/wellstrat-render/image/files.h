@@ -14,8 +14,8 @@
 
 namespace wellstrat::cli {
 
-/// Files of one image: .exr with the exact sums, .png and .hdr as pictures only. They appear when
-/// all are complete. Throws CliError if a name has none of these suffixes or cannot be written.
+/// Files of one image: .exr with the exact sums, .png and .hdr as pictures only. Throws CliError if
+/// a name has none of these suffixes or cannot be written.
 class ImageFiles {
 public:
     /// `option` is named in messages.
@@ -24,10 +24,13 @@ public:
     /// Whether one of the files is .exr, and so can be resumed.
     bool keepSums() const;
 
+    /// Writes all of them, each under its name as soon as it is complete. Throws the first error
+    /// when the others are written.
     void write(const render::FilmPart& part);
-    void commit();
 
 private:
+    void write(std::size_t i, const render::FilmPart& part);
+
     std::vector<std::string> paths_, suffixes_;
     std::deque<OutputFile> files_;
 };

@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/interrupt.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/render_commands.h"
 #include "common/output/output_file.h"
 #include "common/ranks/run_on_ranks.h"
@@ -151,8 +152,7 @@ void beginNext(const RenderOptions& options, RenderJob& job, bool root, double s
 int run(const RenderOptions& options, const Ranks& ranks, RenderJob& job) {
     const auto start = std::chrono::steady_clock::now();
     if (ranks.isRoot() && job.picture.frame > job.frames.first) {
-        fmt::print(stderr, "wellstrat: goes on with frame {}; those before it stay as they are\n",
-                   job.picture.frame);
+        say("goes on with frame {}; those before it stay as they are", job.picture.frame);
     }
     for (;;) {
         const RenderEnd end = renderPicture(options, *job.renderer, ranks, job.picture);
@@ -161,8 +161,8 @@ int run(const RenderOptions& options, const Ranks& ranks, RenderJob& job) {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         if (options.timeLimit && ranks.any(seconds.count() >= *options.timeLimit)) {
             if (ranks.isRoot()) {
-                fmt::print(stderr, "wellstrat: time is up after frame {}; --frame {} goes on\n",
-                           job.picture.frame, job.picture.frame + 1);
+                say("time is up after frame {}; --frame {} goes on", job.picture.frame,
+                    job.picture.frame + 1);
             }
             return 0;
         }
@@ -172,7 +172,7 @@ int run(const RenderOptions& options, const Ranks& ranks, RenderJob& job) {
 
 int renderOnRanks(const RenderOptions& options) {
     if (options.list) {
-        printText(sceneList());
+        if (launchedRank() == 0) printText(sceneList());
         return 0;
     }
     return runOnRanks([&](const Ranks& ranks) { return prepare(options, ranks.isRoot()); },

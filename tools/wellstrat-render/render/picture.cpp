@@ -3,6 +3,7 @@
 #include "picture.h"
 
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/output/output_file.h"
 #include "frames.h"
@@ -16,15 +17,15 @@
 #include <utility>
 #include <vector>
 
+#include <unistd.h>
+
 namespace wellstrat::cli {
 namespace {
 
-void saveCheckpoint(const RenderOptions& options, uint64_t frame, const render::FilmPart& part) {
-    const std::optional<std::string> path = checkpointOf(options, frame);
+void saveCheckpoint(const RenderOptions& options, Picture& picture, const render::FilmPart& part) {
+    const std::optional<std::string> path = checkpointOf(options, picture.frame);
     if (!path) return;
-    ImageFiles file("--checkpoint", {*path});
-    file.write(part);
-    file.commit();
+    picture.checkpoints.attempt([&] { ImageFiles("--checkpoint", {*path}).write(part); });
 }
 
 /// What `picture` has when its pixels have the samples of `film`.
@@ -45,11 +46,16 @@ std::string countText(const render::Film& film) {
     return least == most ? fmt::format("{}", most) : fmt::format("{} to {}", least, most);
 }
 
+bool hasSamples(const render::Film& film) {
+    return std::any_of(film.pixels().begin(), film.pixels().end(),
+                       [](const render::PixelSums& sums) { return sums.count > 0; });
+}
+
 void sayInvalid(const render::Film& film) {
     uint64_t invalid = 0;
     for (const render::PixelSums& sums : film.pixels()) invalid += sums.invalid;
     if (invalid == 0) return;
-    fmt::print(stderr, "wellstrat: {} samples were NaN or infinite and count as black\n", invalid);
+    say("{} samples were NaN or infinite and count as black", invalid);
 }
 
 /// What a run took, in all ranks together.
@@ -58,39 +64,69 @@ struct RunCost {
     uint64_t segments;
 };
 
+/// "6.20 million", or a whole number of thousands or of ones.
+std::string rateText(double rate) {
+    if (rate >= 1e6) return fmt::format("{:.2f} million", rate * 1e-6);
+    return rate >= 1e4 ? fmt::format("{:.0f} thousand", rate * 1e-3) : fmt::format("{:.0f}", rate);
+}
+
 void sayDone(const RenderOptions& options, const Picture& picture, const render::Film& film,
              const RunCost& cost) {
     const std::string frame =
         isSequence(options) ? fmt::format(", frame {}", picture.frame) : std::string();
-    printText(fmt::format(
-        "{}{}: {}x{} pixels, {} samples each, {:.2f} s, {:.2f} million path "
-        "segments a second\n",
-        oneLine(options.scene.scene), frame, film.width(), film.height(), countText(film),
-        cost.seconds, static_cast<double>(cost.segments) / cost.seconds * 1e-6));
+    writeMessage(STDOUT_FILENO,
+                 fmt::format("{}{}: {}x{} pixels, {} samples each, {:.2f} s, {} path "
+                             "segments a second\n",
+                             oneLine(options.scene.scene), frame, film.width(), film.height(),
+                             countText(film), cost.seconds,
+                             rateText(static_cast<double>(cost.segments) / cost.seconds)));
 }
 
 void sayStopped(const RenderOptions& options, const Picture& picture, const render::Film& film,
                 RenderEnd end) {
     const std::string frame =
         isSequence(options) ? fmt::format(" in frame {}", picture.frame) : std::string();
-    fmt::print(stderr, "wellstrat: {}{} with {} of {} samples a pixel{}\n",
-               end == RenderEnd::interrupted ? "interrupted" : "time is up", frame, countText(film),
-               picture.plan.endSample - picture.plan.firstSample,
-               options.checkpoint || picture.files->keepSums() ? "; --resume goes on" : "");
+    const bool isSaved =
+        picture.files->keepSums() || (options.checkpoint && !picture.checkpoints.failing());
+    say("{}{} with {} of {} samples a pixel{}",
+        end == RenderEnd::interrupted ? "interrupted" : "time is up", frame, countText(film),
+        picture.plan.endSample - picture.plan.firstSample, isSaved ? "; --resume goes on" : "");
+}
+
+/// Writes what is there: if the run has not come to its end, or the files cannot be written, to the
+/// checkpoint too.
+void writeAll(const RenderOptions& options, Picture& picture, const render::FilmPart& part,
+              bool finished) {
+    if (!finished) saveCheckpoint(options, picture, part);
+    try {
+        picture.files->write(part);
+    } catch (const std::exception&) {
+        if (finished) saveCheckpoint(options, picture, part);
+        throw;
+    }
 }
 
 /// What rank 0 does after the run.
 void finish(const RenderOptions& options, Picture& picture, RenderEnd end, const RunCost& cost) {
     const render::FilmPart part = partOf(picture, std::move(picture.part.film));
-    if (end != RenderEnd::finished) saveCheckpoint(options, picture.frame, part);
-    picture.files->write(part);
-    picture.files->commit();
+    writeAll(options, picture, part, end == RenderEnd::finished);
     sayInvalid(part.film);
     if (end == RenderEnd::finished) {
         sayDone(options, picture, part.film, cost);
     } else {
         sayStopped(options, picture, part.film, end);
     }
+}
+
+/// What a process that is alone does if the run failed and some samples are there. Throws what
+/// tells of both.
+[[noreturn]] void saveFailed(const RenderOptions& options, Picture& picture,
+                             const std::exception& error) {
+    const render::FilmPart part = partOf(picture, std::move(picture.part.film));
+    writeAll(options, picture, part, false);
+    throw CliError(fmt::format("{}; the image is written with {} of {} samples a pixel",
+                               messageOf(error), countText(part.film),
+                               picture.plan.endSample - picture.plan.firstSample));
 }
 
 } // namespace
@@ -147,11 +183,16 @@ RenderEnd renderPicture(const RenderOptions& options, const render::Renderer& re
     const uint64_t segmentsBefore = renderer.segments();
     std::optional<double> savePeriod;
     if (options.checkpoint) savePeriod = static_cast<double>(options.saveEvery);
-    const RenderEnd end =
-        runRender(renderer, picture.plan, ranks, picture.part.film, savePeriod,
-                  [&](const render::Film& film) {
-                      saveCheckpoint(options, picture.frame, partOf(picture, film));
-                  });
+    RenderEnd end;
+    try {
+        end = runRender(renderer, picture.plan, ranks, picture.part.film, savePeriod,
+                        [&](const render::Film& film) {
+                            saveCheckpoint(options, picture, partOf(picture, film));
+                        });
+    } catch (const std::exception& error) {
+        if (ranks.size() == 1 && hasSamples(picture.part.film)) saveFailed(options, picture, error);
+        throw;
+    }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::vector<uint64_t> segments{renderer.segments() - segmentsBefore};
     ranks.sumAtRoot(segments);

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "common/output/savings.h"
 #include "common/ranks/ranks.h"
 #include "image/files.h"
 #include "image/passes.h"
@@ -25,6 +26,7 @@ struct Picture {
     RenderPlan plan;
     render::FilmPart part;             ///< what is there of it
     std::unique_ptr<ImageFiles> files; ///< of rank 0
+    Savings checkpoints = {};
 };
 
 /// Throws CliError if a file of this frame cannot be written. Leaves nothing behind.
@@ -39,7 +41,9 @@ Picture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize siz
 void resumePicture(const RenderOptions& options, Picture& picture, render::FilmPart part);
 
 /// Adds what is missing, with checkpoints on the way, writes the files, and says what was done.
-/// Leaves `picture` without a film. Returns how it ended, the same in all ranks.
+/// Leaves `picture` without a film. Returns how it ended, the same in all ranks. If it throws, as
+/// for lack of memory, what a single process has is written nevertheless, and if the files cannot
+/// be written, the checkpoint.
 RenderEnd renderPicture(const RenderOptions& options, const render::Renderer& renderer,
                         const Ranks& ranks, Picture& picture);
 

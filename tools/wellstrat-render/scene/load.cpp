@@ -3,6 +3,8 @@
 #include "load.h"
 
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
+#include "common/output/output_file.h"
 
 #include "renderer/builtin_scenes.h"
 #include "renderer/film.h"
@@ -14,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <stdexcept>
@@ -46,6 +47,7 @@ render::Scene sceneOf(const SceneOptions& options) {
         }
         throw CliError(fmt::format("there is no file '{}'; built-in scenes are {}", name, names));
     }
+    declareInput(name);
     return render::readScene(name, {options.cameraName, options.cameraNumber});
 }
 
@@ -68,6 +70,18 @@ render::Camera placed(const SceneOptions& options, const render::Scene& scene,
     return camera;
 }
 
+/// Those of the options that place the camera which are given.
+std::string placingOptions(const SceneOptions& options) {
+    std::string names;
+    const auto add = [&names](bool isGiven, const char* name) {
+        if (isGiven) names += names.empty() ? name : fmt::format(", {}", name);
+    };
+    add(options.position.has_value(), "--camera");
+    add(options.lookAt.has_value(), "--look-at");
+    add(options.up.has_value(), "--up");
+    return names;
+}
+
 void changeCamera(const SceneOptions& options, render::Scene& scene) {
     render::Camera& camera = *scene.camera;
     if (scene.cameraIsAutomatic && options.size) {
@@ -80,7 +94,7 @@ void changeCamera(const SceneOptions& options, render::Scene& scene) {
             camera = placed(options, scene, camera);
         }
     } catch (const std::invalid_argument& error) {
-        throw CliError(fmt::format("--camera: {}", error.what()));
+        throw CliError(fmt::format("{}: {}", placingOptions(options), error.what()));
     }
     if (options.fov) {
         camera.verticalFov = static_cast<float>(*options.fov * kDegree);
@@ -115,6 +129,7 @@ std::string sceneList() {
 render::Scene loadScene(const SceneOptions& options) {
     render::Scene scene = sceneOf(options);
     if (options.environment) {
+        declareInput(*options.environment);
         scene.environment = render::readEnvironment(*options.environment, &scene.notes);
         replaceNote(scene.notes, render::kNoLightNote, "");
     }
@@ -157,9 +172,7 @@ void requireMemory(const std::string& option, uint64_t bytes, const std::string&
 }
 
 void sayNotes(const render::Scene& scene) {
-    for (const std::string& note : scene.notes) {
-        fmt::print(stderr, "wellstrat: {}\n", oneLine(note));
-    }
+    for (const std::string& note : scene.notes) sayText(note);
 }
 
 } // namespace wellstrat::cli

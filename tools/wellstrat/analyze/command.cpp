@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/command_line/progress.h"
 #include "figure.h"
@@ -81,6 +82,9 @@ Subject subjectOf(const AnalyzeOptions& options, const PointSource* source) {
 }
 
 void analyze(const AnalyzeOptions& options) {
+    for (const std::string& path : options.files.paths) {
+        if (path != "-") declareInput(path);
+    }
     std::unique_ptr<Picture> picture;
     if (options.plot) {
         picture = std::make_unique<Picture>("--plot", *options.plot, options.keepPlotFiles);
@@ -105,10 +109,12 @@ void analyze(const AnalyzeOptions& options) {
         measures =
             measure(subject.set, options.choice, [&](double share) { progress.show(share); });
     }
-    if (picture) picture->draw(measuresFigure(measures, points));
+    if (picture) {
+        picture->draw(measuresFigure(measures, points));
+        picture->commit();
+    }
     printText(options.json ? measuresJson(measures, subject.name)
                            : measuresText(measures, oneLine(subject.name)));
-    if (picture) picture->commit();
 }
 
 /// An option for each measure.

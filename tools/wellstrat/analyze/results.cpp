@@ -3,6 +3,7 @@
 #include "results.h"
 
 #include "common/command_line/errors.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/versions.h"
 #include "common/output/lines.h"
 #include "set_summary.h"

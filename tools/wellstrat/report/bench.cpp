@@ -3,6 +3,7 @@
 #include "bench.h"
 
 #include "common/command_line/errors.h"
+#include "common/output/output_file.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -80,13 +81,21 @@ std::vector<BenchTime> BenchResults::of2DSamples() const {
 }
 
 BenchResults readBench(const std::string& path) {
+    declareInput(path);
     std::ifstream file(path, std::ios::binary);
     if (!file) throw fileError("read", path, errno);
+    const auto refuse = [&path](const std::string& reason) {
+        return CliError(fmt::format("--bench: '{}' is no file that scripts/bench --json writes: {}",
+                                    path, reason));
+    };
     try {
         return resultsOf(nlohmann::json::parse(file));
-    } catch (const std::exception& error) {
-        throw CliError(fmt::format("--bench: '{}' is no file that scripts/bench --json writes: {}",
-                                   path, error.what()));
+    } catch (const nlohmann::json::parse_error& error) {
+        throw refuse(fmt::format("it is no JSON from byte {} on", error.byte));
+    } catch (const nlohmann::json::exception&) {
+        throw refuse("processor, context, tables_ms or ns is missing or of another kind");
+    } catch (const std::invalid_argument& error) {
+        throw refuse(error.what());
     }
 }
 

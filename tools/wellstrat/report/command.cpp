@@ -5,10 +5,12 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/interrupt.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/command_line/progress.h"
 #include "common/command_line/versions.h"
 #include "common/output/output_file.h"
+#include "common/ranks/run_on_ranks.h"
 #include "options.h"
 #include "sections.h"
 
@@ -123,26 +125,37 @@ std::string pageOf(const ReportOptions& options, const ReportContents& contents,
     return page.finish();
 }
 
-int report(const ReportOptions& options) {
+/// A report with all that it needs. Only rank 0 has the file.
+struct Report {
+    std::optional<BenchResults> bench;
+    StudyPlan plan;
+    std::unique_ptr<OutputFile> file;
+};
+
+Report prepare(const ReportOptions& options, bool root) {
     checkOptions(options);
     requireSuffix("--output", options.output, {".html"});
-    std::optional<BenchResults> bench;
-    if (options.bench) bench = readBench(*options.bench);
-    const StudyPlan plan = planOf(options);
-    OutputFile file(options.output);
-    const Ranks ranks;
+    Report report;
+    if (options.bench) report.bench = readBench(*options.bench);
+    report.plan = planOf(options);
+    if (root) report.file = std::make_unique<OutputFile>(options.output);
+    return report;
+}
+
+int run(const ReportOptions& options, const Ranks& ranks, const Report& report) {
+    const StudyPlan& plan = report.plan;
     StudyResult result{0, std::vector<ErrorSums>(plan.cells())};
     runStudy(plan, ranks, result, [] {});
     if (!ranks.isRoot()) return 0;
     if (result.patterns < plan.patterns) {
-        fmt::print(stderr, "wellstrat: interrupted\n");
+        say("interrupted");
         return kExitInterrupted;
     }
     const ReportContents contents{options.size(), measureSubjects(plan.sources, options.size()),
                                   plan, result, studyCurves(plan, result, kFitFrom)};
     ReportPlots plots(options, kPicturesPerGenerator * plan.sources.size() + kOtherPictures);
-    file.write(pageOf(options, contents, bench, plots));
-    file.commit();
+    report.file->write(pageOf(options, contents, report.bench, plots));
+    report.file->commit();
     plots.commit();
     return 0;
 }
@@ -154,7 +167,11 @@ void addReport(CLI::App& app, int& exitCode) {
         app.add_subcommand("report", "Show generators in pictures and tables, as one HTML page");
     const auto options = std::make_shared<ReportOptions>();
     addReportOptions(*command, *options);
-    command->callback([options, &exitCode] { exitCode = report(*options); });
+    command->callback([options, &exitCode] {
+        exitCode = runOnRanks(
+            [&](const Ranks& ranks) { return prepare(*options, ranks.isRoot()); },
+            [&](const Ranks& ranks, const Report& report) { return run(*options, ranks, report); });
+    });
 }
 
 } // namespace wellstrat::cli

@@ -72,7 +72,7 @@ void checkCounts(const SampleOptions& options) {
 std::vector<SampleRun> sampleRuns(const SampleOptions& options) {
     const bool compares = !options.compare.empty();
     const std::vector<std::string> names =
-        compares ? options.compare : std::vector<std::string>{options.generator};
+        compares ? eachOnce(options.compare) : std::vector<std::string>{options.generator};
     std::vector<SampleRun> runs;
     for (const std::string& name : names) {
         const NamedGenerator& generator =
@@ -136,7 +136,7 @@ void addSample(CLI::App& app, int& /*exitCode*/) {
     CLI::Option* const format =
         command
             ->add_option("--format", options->format,
-                         "csv, npy or json [what the suffix of -o says, or else csv]")
+                         "csv, npy or json [what the suffix of -o says, csv without one]")
             ->type_name("NAME");
     CLI::Option* const output =
         command->add_option("-o,--output", options->output, "The file to write [standard output]")

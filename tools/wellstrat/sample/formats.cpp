@@ -3,6 +3,7 @@
 #include "formats.h"
 
 #include "common/command_line/errors.h"
+#include "common/command_line/options.h"
 #include "common/command_line/versions.h"
 #include "points/npy.h"
 
@@ -93,7 +94,8 @@ const SampleFormat& findFormat(const std::string& name) {
 }
 
 const SampleFormat& formatOfFile(const std::string& path) {
-    const std::string suffix = std::filesystem::path(path).extension().string();
+    if (std::filesystem::path(path).extension().empty()) return kFormats[0];
+    const std::string suffix = requireSuffix("--output", path, {".csv", ".txt", ".npy", ".json"});
     for (const SampleFormat& format : kFormats) {
         if (suffix == std::string(".") + format.name) return format;
     }

@@ -17,7 +17,8 @@ struct SampleFormat;
 /// The format called `name`. Throws CliError if there is none.
 const SampleFormat& findFormat(const std::string& name);
 
-/// The format that the suffix of the file name `path` names, or else csv.
+/// The format that the suffix of the file name `path` names; csv for .txt and if it has none.
+/// Throws CliError if that names no format.
 const SampleFormat& formatOfFile(const std::string& path);
 
 /// Whether files of this format are not text.

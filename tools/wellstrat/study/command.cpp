@@ -5,8 +5,10 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/interrupt.h"
+#include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/output/output_file.h"
+#include "common/output/savings.h"
 #include "common/ranks/run_on_ranks.h"
 #include "options.h"
 #include "output.h"
@@ -22,6 +24,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace wellstrat::cli {
@@ -109,7 +112,9 @@ StudyResult startOf(const StudyOptions& options, const StudyPlan& plan) {
             throw CliError("--resume needs -o FILE, beside which is FILE.state");
         return loadState(options.statePath(), plan);
     }
-    if (options.writesToFile() && std::filesystem::exists(options.statePath())) {
+    std::error_code ignored;
+    if (options.writesToFile() && std::filesystem::exists(options.statePath(), ignored) &&
+        !isFinished(options.statePath())) {
         throw CliError(
             fmt::format("'{}' is of an unfinished study; go on with --resume, or remove "
                         "it",
@@ -163,9 +168,13 @@ public:
         if (Clock::now() - last_ >= std::chrono::seconds(options_.saveEvery)) save();
     }
     void save() {
-        if (!options_.writesToFile()) return;
-        saveState(options_.statePath(), plan_, result_);
+        if (!options_.writesToFile() || result_.patterns == 0) return;
+        savings_.attempt([this] { saveState(options_.statePath(), plan_, result_); });
         last_ = Clock::now();
+    }
+    /// Whether the state of now is there to go on from.
+    bool isSaved() const {
+        return options_.writesToFile() && result_.patterns > 0 && !savings_.failing();
     }
 
 private:
@@ -174,30 +183,8 @@ private:
     const StudyPlan& plan_;
     const StudyResult& result_;
     Clock::time_point last_ = Clock::now();
+    Savings savings_;
 };
-
-/// What rank 0 does after the run. Returns the exit code.
-int finish(const StudyOptions& options, const StudyPlan& plan, const StudyResult& result,
-           StudyFiles& files) {
-    const bool complete = result.patterns == plan.patterns;
-    if (result.patterns > 0) {
-        const std::vector<StudyCurve> curves =
-            studyCurves(plan, result, static_cast<uint32_t>(options.fitFrom));
-        files.write(plan, result, curves);
-        if (!options.output || *options.output != "-") {
-            printText(plan.filter ? pictureTable(plan, result, curves)
-                                  : studyTable(plan, result, curves, tableColumns(options, plan)));
-        }
-    }
-    if (complete) {
-        if (options.writesToFile()) std::filesystem::remove(options.statePath());
-        return 0;
-    }
-    fmt::print(stderr, "wellstrat: interrupted after {} of {} {}{}\n", result.patterns,
-               plan.patterns, plan.filter ? "pictures" : "patterns",
-               options.writesToFile() ? "; --resume goes on" : "");
-    return kExitInterrupted;
-}
 
 /// A study with all that it needs. Only rank 0 has files, and what was done before.
 struct Study {
@@ -205,6 +192,22 @@ struct Study {
     StudyResult result;
     std::unique_ptr<StudyFiles> files;
 };
+
+/// What a study counts.
+const char* unitOf(const StudyPlan& plan) { return plan.filter ? "pictures" : "patterns"; }
+
+/// Writes the results of what is finished, which rank 0 does after the run.
+void writeResults(const StudyOptions& options, const Study& study) {
+    if (study.result.patterns == 0) return;
+    const std::vector<StudyCurve> curves =
+        studyCurves(study.plan, study.result, static_cast<uint32_t>(options.fitFrom));
+    study.files->write(study.plan, study.result, curves);
+    if (!options.output || *options.output != "-") {
+        printText(study.plan.filter ? pictureTable(study.plan, study.result, curves)
+                                    : studyTable(study.plan, study.result, curves,
+                                                 tableColumns(options, study.plan)));
+    }
+}
 
 Study prepare(const StudyOptions& options, bool root) {
     Study study{planOf(options), {}, nullptr};
@@ -219,15 +222,27 @@ Study prepare(const StudyOptions& options, bool root) {
 
 int run(const StudyOptions& options, const Ranks& ranks, Study& study) {
     Checkpoints checkpoints(options, study.plan, study.result);
-    runStudy(study.plan, ranks, study.result, [&checkpoints] { checkpoints.maybeSave(); });
+    try {
+        runStudy(study.plan, ranks, study.result, [&checkpoints] { checkpoints.maybeSave(); });
+    } catch (const std::exception& error) {
+        if (ranks.size() > 1) throw;
+        checkpoints.save();
+        writeResults(options, study);
+        throw CliError(fmt::format("{}; after {} of {} {}", messageOf(error), study.result.patterns,
+                                   study.plan.patterns, unitOf(study.plan)));
+    }
     if (!ranks.isRoot()) return 0;
-    if (study.result.patterns < study.plan.patterns) checkpoints.save();
-    return finish(options, study.plan, study.result, *study.files);
+    checkpoints.save();
+    writeResults(options, study);
+    if (study.result.patterns == study.plan.patterns) return 0;
+    say("interrupted after {} of {} {}{}", study.result.patterns, study.plan.patterns,
+        unitOf(study.plan), checkpoints.isSaved() ? "; --resume goes on" : "");
+    return kExitInterrupted;
 }
 
 int studyOnRanks(const StudyOptions& options) {
     if (options.list) {
-        printText(listText());
+        if (launchedRank() == 0) printText(listText());
         return 0;
     }
     return runOnRanks([&](const Ranks& ranks) { return prepare(options, ranks.isRoot()); },

@@ -22,9 +22,10 @@ relative to the first generator. 2d, 4d and 1d-3d stand for several integrands.
 The +- of a slope says how well a line fits; not how certain the slope is: errors at neighboring N
 come from the same patterns.
 
-Ctrl-C writes the results of the patterns that are finished, and FILE.state, from which the same
-command with --resume goes on (also with more --patterns). Built with MPI, the same command under
-mpirun splits the work. Threads and processes change no bit of the results.
+Ctrl-C writes the results of the patterns that are finished. Beside them is FILE.state, from which
+the same command with --resume goes on, also with more --patterns when all are finished. Built with
+MPI, the same command under mpirun splits the work. Threads and processes change no bit of the
+results.
 
 Examples:
   wellstrat study --list
@@ -68,7 +69,7 @@ void addOutputs(CLI::App& command, StudyOptions& options) {
         .add_flag("--keep-plot-files", options.keepPlotFiles,
                   "Keep the data (FILE.dat) and the gnuplot script (FILE.gp) of the plot")
         ->needs(plot);
-    command.add_flag("--resume", options.resume, "Go on from FILE.state");
+    command.add_flag("--resume", options.resume, "Go on from FILE.state, also of a finished study");
     addNumber(command, "--save-every", options.saveEvery, {0, 86400},
               "Seconds between savings of FILE.state while it runs [30]");
 }

@@ -5,6 +5,7 @@
 #include "common/command_line/errors.h"
 #include "common/command_line/generators.h"
 #include "common/command_line/options.h"
+#include "common/output/output_file.h"
 #include "points/point_file.h"
 #include "rivals/tile.h"
 #include "rivals/zsobol.h"
@@ -128,6 +129,7 @@ StudySource makeSource(const std::string& name) {
     if (startsWith(name, kFilePrefix)) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
+        if (options.path != "-") declareInput(options.path);
         return {name, std::make_unique<FileSource>(readPatterns(options))};
     }
     return {name, findKind("--generators", name, studySourceKinds(), ", file:PATH").make()};
@@ -150,11 +152,7 @@ StudySource makePictureSource(const std::string& name) {
 template <typename Make>
 std::vector<StudySource> makeAll(const std::vector<std::string>& names, Make make) {
     std::vector<StudySource> sources;
-    for (const std::string& name : names) {
-        const auto same = [&](const StudySource& source) { return source.name == name; };
-        if (std::any_of(sources.begin(), sources.end(), same)) continue;
-        sources.push_back(make(name));
-    }
+    for (const std::string& name : eachOnce(names)) sources.push_back(make(name));
     return sources;
 }
 

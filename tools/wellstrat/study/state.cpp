@@ -59,6 +59,18 @@ bool parseCell(const std::string& line, ErrorSums& sums) {
            parseSum(line.data() + 2 * kSumDigits, sums.fourth);
 }
 
+/// The first line of a state; null if it is none.
+nlohmann::ordered_json readHead(std::istream& in) {
+    std::string line;
+    std::getline(in, line);
+    nlohmann::ordered_json head = nlohmann::ordered_json::parse(line, nullptr, false);
+    if (!head.is_object()) return {};
+    for (const char* key : {"patterns", "planned"}) {
+        if (!head.contains(key) || !head[key].is_number_unsigned()) return {};
+    }
+    return head;
+}
+
 void checkSamePlan(const std::string& path, const nlohmann::ordered_json& saved,
                    const StudyPlan& plan) {
     const nlohmann::ordered_json planned = planJson(plan);
@@ -73,6 +85,7 @@ void checkSamePlan(const std::string& path, const nlohmann::ordered_json& saved,
 void saveState(const std::string& path, const StudyPlan& plan, const StudyResult& result) {
     nlohmann::ordered_json head = planJson(plan);
     head["patterns"] = result.patterns;
+    head["planned"] = plan.patterns;
     OutputFile out(path);
     out.write(head.dump() + "\n");
     std::string line;
@@ -87,18 +100,21 @@ void saveState(const std::string& path, const StudyPlan& plan, const StudyResult
     out.commit();
 }
 
+bool isFinished(const std::string& path) {
+    std::ifstream in(path);
+    const nlohmann::ordered_json head = readHead(in);
+    return !head.is_null() && head["patterns"] >= head["planned"];
+}
+
 StudyResult loadState(const std::string& path, const StudyPlan& plan) {
-    const CliError damaged(fmt::format("--resume: '{}' is no file of an unfinished study", path));
+    const CliError damaged(fmt::format("--resume: '{}' is no state of a study", path));
     std::ifstream in(path);
     if (!in) throw fileError("read", path, errno);
-    std::string line;
-    std::getline(in, line);
-    const auto head = nlohmann::ordered_json::parse(line, nullptr, false);
-    if (!head.is_object() || !head.contains("patterns") || !head["patterns"].is_number_unsigned()) {
-        throw damaged;
-    }
+    const nlohmann::ordered_json head = readHead(in);
+    if (head.is_null()) throw damaged;
     checkSamePlan(path, head, plan);
     StudyResult result{head["patterns"].get<uint64_t>(), std::vector<ErrorSums>(plan.cells())};
+    std::string line;
     for (ErrorSums& sums : result.sums) {
         if (!std::getline(in, line) || !parseCell(line, sums)) throw damaged;
     }
