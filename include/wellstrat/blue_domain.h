@@ -57,16 +57,25 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t distribState(uint32_t sampleid) {
     return (sampleid ^ (sampleid >> 20) * kGolden) << 12;
 }
 
-/// The place of a pixel in a tile that is shifted, flipped and transposed by the upper bits of a
-/// hash: on a torus, so a tile of the picture is a whole tile always.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t movedPlace(uint32_t place, uint32_t hash) {
+/// The place of a pixel in a tile that is shifted by the upper 12 bits of a hash: on a torus, so a
+/// tile of the picture is a whole tile always.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t shiftedPlace(uint32_t place, uint32_t hash) {
     constexpr uint32_t kX = 63u, kY = 63u << 6;
     const uint32_t shift = hash >> 20;
-    uint32_t moved = ((place + shift) & kX) | (((place & kY) + shift) & kY);
-    moved ^= (0u - (hash >> 19 & 1u)) & kX;
-    moved ^= (0u - (hash >> 18 & 1u)) & kY;
-    const uint32_t exchanged = (moved ^ moved >> 6) & (0u - (hash >> 17 & 1u)) & kX;
-    return moved ^ exchanged ^ exchanged << 6;
+    return ((place + shift) & kX) | (((place & kY) + shift) & kY);
+}
+
+/// The place with x and y exchanged.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t transposedPlace(uint32_t place) {
+    return (place & 63u) << 6 | place >> 6;
+}
+
+/// The place in a tile that is shifted, flipped and transposed by the upper 15 bits of a hash.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t movedPlace(uint32_t place, uint32_t hash) {
+    uint32_t moved = shiftedPlace(place, hash);
+    if ((hash >> 19 & 1u) != 0) moved ^= 63u;
+    if ((hash >> 18 & 1u) != 0) moved ^= 63u << 6;
+    return (hash >> 17 & 1u) != 0 ? transposedPlace(moved) : moved;
 }
 
 } // namespace detail

@@ -24,33 +24,31 @@ inline namespace stream1 {
 
 namespace detail {
 
-/// What a rank adds to x and y. The function of rank.h is N / (1 + z + z^2)^8 with N of degree
-/// below 16, and around 1 it is N(z + 1) / (1 + z + z^2)^8. N stands in the lower half of the word,
-/// N(z + 1) in the upper; both are linear in the rank.
-using RankWord = uint32_t;
-
-/// A linear map of 12 bits to a word, as the sum of what the lower and the upper six give.
+/// A linear map of kRankDigits bits to a word, as the sum of what the lower and the upper six give.
+template <typename Word>
 struct LinearMap {
-    uint32_t of[2][64];
+    Word of[2][64];
 
-    WELLSTRAT_HOST_DEVICE constexpr uint32_t operator()(uint32_t bits) const {
-        return of[0][bits & 63u] ^ of[1][bits >> 6 & 63u];
+    WELLSTRAT_HOST_DEVICE constexpr Word operator()(uint32_t bits) const {
+        return of[0][bits & 63u] ^ of[1][bits >> 6];
     }
 };
 
-/// What draws look up, 33 KiB in all.
+/// What draws look up, 48 KiB in all: ranks of places, and what these add to points. Slot d takes
+/// V_d times the rank (blue_tables.h). V_0 is the identity, so slot 0 is that of padded domains.
 struct BlueTables {
-    RankWord padded[kRanks];     ///< of the place's rank
-    uint16_t slots[kRanks];      ///< the place's rank
-    LinearMap rank[kJointSlots]; ///< of V_d times the rank, for each slot d
-    LinearMap z;                 ///< digits of z, by bits 4 to 15 of a rank word
+    uint16_t padded[2 * kRanks]; ///< by paddedPlace: of the tile, and of the transposed one
+    uint16_t slots[kRanks];
+    uint16_t flips[8]; ///< what paddedPlace adds by exclusive or, by bits 17 to 19 of its hash
+    LinearMap<uint64_t> xy[kJointSlots]; ///< digits of x in the lower half, of y in the upper
+    LinearMap<uint32_t> z[kJointSlots];
 };
 
 extern WELLSTRAT_API const BlueTables kBlueTables;
 
-/// The series of N / (1 + z + z^2)^8 = N (1 + z^8) / (1 + z^24), to 32 digits.
-WELLSTRAT_HOST_DEVICE constexpr uint32_t rankSeries(uint32_t numerator) {
-    return numerator ^ numerator << 8 ^ numerator << 24;
+inline PointDigits rankDigits(unsigned slot, uint32_t rank) {
+    const uint64_t xy = kBlueTables.xy[slot](rank);
+    return {static_cast<uint32_t>(xy), static_cast<uint32_t>(xy >> 32), kBlueTables.z[slot](rank)};
 }
 
 /// What is needed of a state; see sequenceSeed.
@@ -58,20 +56,22 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t stateSeed(uint32_t patternid) {
     return sequenceSeed(patternid >> kRankDigits);
 }
 
-/// The key of movedPlace for a state with this seed: another multiple than those of sequence.h.
+/// The hash of movedPlace for a state with this seed: another multiple than those of sequence.h.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t placeKey(uint32_t seed) {
     return seed * 0x1f83d9abu; // sqrt(17)
 }
 
-/// A point moved by a rank. Pixels of one state that exchange their axes all do.
-inline PointDigits movedDigits(PointDigits point, RankWord rank, uint32_t seed) {
-    point.x ^= rankSeries(rank & 0xffffu);
-    point.y ^= rankSeries(rank >> 16);
-    point.z ^= kBlueTables.z(rank >> 4);
-    const uint32_t exchanged = (point.x ^ point.y) & (0u - (seed >> 31));
-    point.x ^= exchanged;
-    point.y ^= exchanged;
-    return point;
+/// Where BlueTables::padded has the rank of movedPlace(place, hash).
+inline uint32_t paddedPlace(uint32_t place, uint32_t hash) {
+    return shiftedPlace(place, hash) ^ kBlueTables.flips[hash >> 17 & 7u];
+}
+
+/// A point moved by the digits of a rank. Pixels of one state that exchange their axes all do.
+WELLSTRAT_HOST_DEVICE constexpr PointDigits movedDigits(PointDigits point, PointDigits rank,
+                                                        uint32_t seed) {
+    const uint32_t x = point.x ^ rank.x, y = point.y ^ rank.y;
+    const uint32_t exchanged = (x ^ y) & (0u - (seed >> 31));
+    return {x ^ exchanged, y ^ exchanged, point.z ^ rank.z};
 }
 
 /// What decides a sample: its point before scrambling, and the seed of that.
@@ -83,8 +83,9 @@ struct BluePoint {
 /// Of padded domains: the shuffled sequence. Each state moves the tile in its own way.
 inline BluePoint bluePoint(uint32_t patternid, uint32_t sampleid) {
     const uint32_t seed = stateSeed(patternid);
-    const uint32_t place = movedPlace(patternid & kPlaceBits, placeKey(seed));
-    return {movedDigits(sequencePoint(seed, sampleid), kBlueTables.padded[place], seed), seed};
+    const uint32_t place = paddedPlace(patternid & kPlaceBits, placeKey(seed));
+    const PointDigits rank = rankDigits(0, kBlueTables.padded[place]);
+    return {movedDigits(sequencePoint(seed, sampleid), rank, seed), seed};
 }
 
 /// Of slots. All slots of a path are stratified together by having one index and one rank, each in
@@ -92,7 +93,7 @@ inline BluePoint bluePoint(uint32_t patternid, uint32_t sampleid) {
 inline BluePoint blueSlotPoint(uint32_t patternid, uint32_t sampleid, unsigned slot,
                                unsigned split) {
     const uint32_t seed = stateSeed(patternid);
-    const RankWord rank = kBlueTables.rank[slot](kBlueTables.slots[patternid & kPlaceBits]);
+    const PointDigits rank = rankDigits(slot, kBlueTables.slots[patternid & kPlaceBits]);
     const PointDigits point = slotDigits(seed & ~kSlotSwapBit, sampleid, slot, split);
     return {movedDigits(point, rank, seed), seed};
 }

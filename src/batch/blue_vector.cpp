@@ -50,15 +50,6 @@ HWY_INLINE V distribState(V sampleid) {
     return hn::ShiftLeft<12>(hn::Xor(sampleid, upper));
 }
 
-HWY_INLINE V stateSeed(V patternid) { return sequenceSeed(hn::ShiftRight<kRankDigits>(patternid)); }
-
-/// rankSeries of the halves of rank words, byte by byte: of the lower ones for kLow = 0, kHigh = 1.
-template <uint8_t kLow, uint8_t kHigh>
-HWY_INLINE V rankSeries(V ranks) {
-    return hn::Xor(bytesOf<kLow, kHigh, kNone, kNone>(ranks),
-                   bytesOf<kNone, kLow, kHigh, kLow>(ranks));
-}
-
 /// All bits of a word as its bit kBit.
 template <int kBit>
 HWY_INLINE V spreadBit(V x) {
@@ -67,151 +58,218 @@ HWY_INLINE V spreadBit(V x) {
                        hn::BroadcastSignBit(hn::BitCast(integers, hn::ShiftLeft<31 - kBit>(x))));
 }
 
-/// movedPlace for a vector of hashes.
+HWY_INLINE V placeKey(V seed) { return hn::Mul(seed, constant(detail::placeKey(1))); }
+
+/// paddedPlace for a vector of hashes.
 class Mover {
 public:
     HWY_INLINE explicit Mover(V hash)
         : shift_(hn::ShiftRight<20>(hash)),
-          flip_(hn::Or(hn::And(spreadBit<19>(hash), x()), hn::And(spreadBit<18>(hash), y()))),
-          exchange_(hn::And(spreadBit<17>(hash), x())) {}
+          flip_(hn::Or(hn::Or(hn::And(spreadBit<19>(hash), x()), hn::And(spreadBit<18>(hash), y())),
+                       hn::And(spreadBit<17>(hash), constant(kRanks)))) {}
 
-    HWY_INLINE V movedPlace(V place) const {
+    HWY_INLINE V paddedPlace(V place) const {
         const V across = hn::And(hn::Add(place, shift_), x());
         const V down = hn::And(hn::Add(hn::And(place, y()), shift_), y());
-        const V moved = hn::Xor(hn::Or(across, down), flip_);
-        const V exchanged = hn::And(xorShifted<6>(moved), exchange_);
-        return hn::Xor(moved, hn::Or(exchanged, hn::ShiftLeft<6>(exchanged)));
+        return hn::Xor(hn::Or(across, down), flip_);
     }
 
 private:
     static HWY_INLINE V x() { return constant(63); }
     static HWY_INLINE V y() { return constant(63u << 6); }
 
-    V shift_, flip_, exchange_;
+    V shift_, flip_;
 };
 
-/// What an order gives, kept from vector to vector: in a coherent batch all pixels of a tile have
-/// one point.
-template <typename Order>
-class KeptPoint {
-public:
-    HWY_INLINE explicit KeptPoint(Order order)
-        : order_(order), seed_(hn::Zero(kWords)), sampleid_(seed_),
-          point_(order_.point(seed_, sampleid_)) {}
-
-    /// Valid until the next call. (To copy it, compilers take it apart.)
-    HWY_INLINE const PointVectors& point(V seed, V sampleid) {
-        if (!same(seed, seed_) || !same(sampleid, sampleid_)) {
-            seed_ = seed;
-            sampleid_ = sampleid;
-            const PointVectors point = order_.point(seed, sampleid);
-            point_.x = point.x;
-            point_.y = point.y;
-            point_.z = point.z;
-        }
-        return point_;
-    }
-
-private:
-    Order order_;
-    V seed_, sampleid_;
-    PointVectors point_;
+struct Located {
+    V seed, place;
 };
 
-// The two kinds of domains. places(patternid, seed) is where the ranks of pixels stand, rank(n,
-// places) puts their words there, point(seed, sampleid) is what they move.
+// The two kinds of domains. Both keep what depends on the state, since all pixels of a tile have
+// one: locate(patternid) is the seed, and where in its tile() the rank stands.
 
 /// bluePoint.
 class PaddedDomain {
 public:
     HWY_INLINE PaddedDomain()
-        : points_(ShuffledSequence()), seed_(hn::Zero(kWords)), mover_(seed_) {}
+        : state_(hn::Zero(kWords)), seed_(sequenceSeed(state_)), mover_(placeKey(seed_)) {}
 
-    HWY_INLINE V places(V patternid, V seed) {
-        if (!same(seed, seed_)) {
-            seed_ = seed;
-            mover_ = Mover(hn::Mul(seed, constant(detail::placeKey(1))));
+    HWY_INLINE Located locate(V patternid) {
+        const V state = hn::ShiftRight<kRankDigits>(patternid);
+        if (!same(state, state_)) {
+            state_ = state;
+            seed_ = sequenceSeed(state);
+            mover_ = Mover(placeKey(seed_));
         }
-        return mover_.movedPlace(hn::And(patternid, constant(detail::kPlaceBits)));
+        return {seed_, mover_.paddedPlace(hn::And(patternid, constant(detail::kPlaceBits)))};
     }
 
-    static void rank(std::size_t n, uint32_t* places) { paddedRanks(n, places); }
-
-    HWY_INLINE const PointVectors& point(V seed, V sampleid) {
-        return points_.point(seed, sampleid);
-    }
+    static const uint16_t* tile() { return detail::kBlueTables.padded; }
+    static constexpr unsigned slot() { return 0; }
+    HWY_INLINE PointVectors point(V seed, V sampleid) { return order_.point(seed, sampleid); }
 
 private:
-    KeptPoint<ShuffledSequence> points_;
-    V seed_;
+    V state_, seed_;
     Mover mover_;
+    ShuffledSequence order_;
 };
 
 /// blueSlotPoint.
 template <typename Order>
 class SlotDomain {
 public:
-    HWY_INLINE SlotDomain(unsigned slot, Order order) : slot_(slot), points_(order) {}
+    HWY_INLINE SlotDomain(unsigned slot, Order order)
+        : slot_(slot), state_(hn::Zero(kWords)), seed_(sequenceSeed(state_)), order_(order) {}
 
-    HWY_INLINE V places(V patternid, V /*seed*/) const {
-        return hn::And(patternid, constant(detail::kPlaceBits));
+    HWY_INLINE Located locate(V patternid) {
+        const V state = hn::ShiftRight<kRankDigits>(patternid);
+        if (!same(state, state_)) {
+            state_ = state;
+            seed_ = sequenceSeed(state);
+        }
+        return {seed_, hn::And(patternid, constant(detail::kPlaceBits))};
     }
 
-    void rank(std::size_t n, uint32_t* places) const { slotRanks(n, slot_, places); }
-
-    HWY_INLINE const PointVectors& point(V seed, V sampleid) {
-        return points_.point(hn::And(seed, constant(~detail::kSlotSwapBit)), sampleid);
+    static const uint16_t* tile() { return detail::kBlueTables.slots; }
+    unsigned slot() const { return slot_; }
+    HWY_INLINE PointVectors point(V seed, V sampleid) {
+        return order_.point(hn::And(seed, constant(~detail::kSlotSwapBit)), sampleid);
     }
 
 private:
     unsigned slot_;
-    KeptPoint<Order> points_;
+    V state_, seed_;
+    Order order_;
 };
 
-/// movedDigits, for `ranksZ` that are looked up already.
-HWY_INLINE PointVectors movedDigits(const PointVectors& point, V ranks, V ranksZ, V seed) {
-    const V x = hn::Xor(point.x, rankSeries<0, 1>(ranks));
-    const V y = hn::Xor(point.y, rankSeries<2, 3>(ranks));
-    const V exchanged = hn::And(hn::Xor(x, y), spreadBit<31>(seed));
-    return {hn::Xor(x, exchanged), hn::Xor(y, exchanged), hn::Xor(point.z, ranksZ)};
-}
+/// The points of a domain and the keys of their scrambling, kept from vector to vector: in a
+/// coherent batch all pixels of a tile have one point before their ranks move it.
+template <typename Domain>
+class KeptPoint {
+public:
+    HWY_INLINE explicit KeptPoint(Domain& domain)
+        : domain_(domain), seed_(hn::Zero(kWords)), sampleid_(seed_), keys_(seed_),
+          point_(domain.point(seed_, seed_)) {}
+
+    HWY_INLINE void moveTo(V seed, V sampleid) {
+        if (same(seed, seed_) && same(sampleid, sampleid_)) return;
+        seed_ = seed;
+        sampleid_ = sampleid;
+        keys_ = ScramblingKeys(seed);
+        // One by one: compilers would copy the whole through memory.
+        const PointVectors point = domain_.point(seed, sampleid);
+        point_.x = point.x;
+        point_.y = point.y;
+        point_.z = point.z;
+    }
+
+    /// movedDigits, scrambled.
+    template <typename Sample>
+    HWY_INLINE void storeMoved(const PointVectors& rank, Sample* xis) const {
+        const V x = hn::Xor(point_.x, rank.x), y = hn::Xor(point_.y, rank.y);
+        const V exchanged = hn::And(hn::Xor(x, y), spreadBit<31>(seed_));
+        storeScrambled({hn::Xor(x, exchanged), hn::Xor(y, exchanged), hn::Xor(point_.z, rank.z)},
+                       keys_, xis);
+    }
+
+private:
+    Domain& domain_;
+    V seed_, sampleid_;
+    ScramblingKeys keys_;
+    PointVectors point_;
+};
+
+// rankDigits of a block of samples, by the places of their pixels. Those that a Sample does not
+// need are left out by compilers.
+
+/// By permuting registers of eight words or more, by as many bits of a rank at a time.
+template <typename Sample>
+class PermutedDigits {
+public:
+    HWY_INLINE PermutedDigits(std::size_t n, const uint16_t* tile, unsigned slot, uint32_t* places)
+        : maps_(rankMaps<kBits>(slot)), ranks_(places) {
+        findRanks(n, tile, places);
+    }
+
+    HWY_INLINE PointVectors at(std::size_t i) const {
+        V rank = hn::Load(kWords, ranks_ + i);
+        PointVectors digits{hn::Zero(kWords), hn::Zero(kWords), hn::Zero(kWords)};
+        for (unsigned k = 0; k < kRankDigits / kBits; ++k) {
+            const auto bits = hn::IndicesFromVec(kWords, hn::And(rank, constant(kLanes - 1)));
+            digits.x = hn::Xor(digits.x, hn::TableLookupLanes(part(0, k), bits));
+            digits.y = hn::Xor(digits.y, hn::TableLookupLanes(part(1, k), bits));
+            digits.z = hn::Xor(digits.z, hn::TableLookupLanes(part(2, k), bits));
+            rank = hn::ShiftRight<kBits>(rank);
+        }
+        return digits;
+    }
+
+private:
+    static constexpr unsigned kBits = kLanes == 16 ? 4 : 3;
+
+    HWY_INLINE V part(unsigned dimension, unsigned k) const {
+        return hn::Load(kWords, maps_[dimension].parts[k]);
+    }
+
+    const RankMap<kBits>* maps_;
+    const uint32_t* ranks_;
+};
+
+/// Where registers are smaller, by loads.
+template <typename Sample>
+class LoadedDigits {
+public:
+    HWY_INLINE LoadedDigits(std::size_t n, const uint16_t* tile, unsigned slot,
+                            const uint32_t* places) {
+        if constexpr (kHasXY) findDigitsXY(n, tile, slot, places, xy_);
+        if constexpr (kHasZ) findDigitsZ(n, tile, slot, places, z_);
+    }
+
+    HWY_INLINE PointVectors at(std::size_t i) const {
+        PointVectors digits{hn::Zero(kWords), hn::Zero(kWords), hn::Zero(kWords)};
+        if constexpr (kHasXY) {
+            hn::LoadInterleaved2(kWords, reinterpret_cast<const uint32_t*>(xy_ + i), digits.x,
+                                 digits.y);
+        }
+        if constexpr (kHasZ) digits.z = hn::Load(kWords, z_ + i);
+        return digits;
+    }
+
+private:
+    static constexpr bool kHasXY = !std::is_same_v<Sample, float>;
+    static constexpr bool kHasZ = !std::is_same_v<Sample, Float2>;
+
+    HWY_ALIGN uint64_t xy_[kHasXY ? kBlockVectors * kLanes : 1];
+    HWY_ALIGN uint32_t z_[kHasZ ? kBlockVectors * kLanes : 1];
+};
 
 /// Draws `vectors` vectors of samples, kBlockVectors at most. First all places are found and then
 /// all ranks, so that no load waits for the arithmetic of its own sample.
 template <typename Domain, typename Sample>
 HWY_INLINE void drawBlock(std::size_t vectors, const SampleCtx* contexts, Domain& domain,
-                          Sample* xis) {
-    constexpr bool hasZ = !std::is_same_v<Sample, Float2>;
+                          KeptPoint<Domain>& point, Sample* xis) {
+    using Digits = std::conditional_t<(kLanes < 8), LoadedDigits<Sample>, PermutedDigits<Sample>>;
     HWY_ALIGN uint32_t seeds[kBlockVectors * kLanes];
-    HWY_ALIGN uint32_t ranks[kBlockVectors * kLanes];
-    HWY_ALIGN uint32_t ranksZ[hasZ ? kBlockVectors * kLanes : kLanes];
+    HWY_ALIGN uint32_t places[kBlockVectors * kLanes];
     const std::size_t n = vectors * kLanes;
     V patternid, sampleid;
     for (std::size_t i = 0; i < n; i += kLanes) {
         load(contexts + i, patternid, sampleid);
-        const V seed = stateSeed(patternid);
-        hn::Store(seed, kWords, seeds + i);
-        hn::Store(domain.places(patternid, seed), kWords, ranks + i);
+        const Located located = domain.locate(patternid);
+        hn::Store(located.seed, kWords, seeds + i);
+        hn::Store(located.place, kWords, places + i);
     }
-    domain.rank(n, ranks);
-    if constexpr (hasZ) rankDigitsZ(n, ranks, ranksZ);
-    V keysSeed = hn::Load(kWords, seeds);
-    ScramblingKeys keys(keysSeed);
+    const Digits digits(n, domain.tile(), domain.slot(), places);
     for (std::size_t i = 0; i < n; i += kLanes) {
         load(contexts + i, patternid, sampleid);
-        const V seed = hn::Load(kWords, seeds + i);
-        const PointVectors& point = domain.point(seed, sampleid);
-        const V z = hasZ ? hn::Load(kWords, ranksZ + i) : hn::Zero(kWords);
-        if (!same(seed, keysSeed)) {
-            keysSeed = seed;
-            keys = ScramblingKeys(seed);
-        }
-        storeScrambled(movedDigits(point, hn::Load(kWords, ranks + i), z, seed), keys, xis + i);
+        point.moveTo(hn::Load(kWords, seeds + i), sampleid);
+        point.storeMoved(digits.at(i), xis + i);
     }
 }
 
 template <typename Domain, typename Sample>
 HWY_INLINE void drawDomain(std::size_t n, const SampleCtx* contexts, Domain domain, Sample* xis) {
+    KeptPoint<Domain> point(domain);
     SampleCtx copies[kLanes];
     Sample drawn[kLanes];
     for (std::size_t i = 0; i < n;) {
@@ -220,7 +278,7 @@ HWY_INLINE void drawDomain(std::size_t n, const SampleCtx* contexts, Domain doma
         const bool isRest = whole == 0;
         if (isRest)
             std::fill(std::copy(contexts + i, contexts + n, copies), copies + kLanes, SampleCtx{});
-        drawBlock(isRest ? 1 : whole, isRest ? copies : contexts + i, domain,
+        drawBlock(isRest ? 1 : whole, isRest ? copies : contexts + i, domain, point,
                   isRest ? drawn : xis + i);
         if (isRest) std::copy_n(drawn, n - i, xis + i);
         i += isRest ? n - i : whole * kLanes;

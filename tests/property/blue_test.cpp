@@ -94,18 +94,6 @@ TEST_P(BlueSlots, Nets) {
 
 INSTANTIATE_TEST_SUITE_P(All, BlueSlots, testing::Range(0u, kJointSlots));
 
-/// The rank word of a rank, as the sum of those of its bits. They stand in the padded tile.
-uint32_t rankWord(uint32_t rank) {
-    uint32_t word = 0;
-    for (unsigned place = 0; place < kRanks; ++place) {
-        const uint32_t ofPlace = kRankTilePadded[place];
-        if ((ofPlace & (ofPlace - 1)) == 0 && (ofPlace & rank) != 0) {
-            word ^= detail::kBlueTables.padded[place];
-        }
-    }
-    return word;
-}
-
 /// Whether the first digits of x and the first of y, `all` in sum, of the points of samples of
 /// `runLog2` bits and ranks of `rankBits` determine both, for all ways to share them out: the
 /// generator matrices then have full rank, which is the net property of all runs and blocks,
@@ -145,10 +133,10 @@ bool fillsStrataOfZ(unsigned runLog2, unsigned rankBits, Digits digits) {
 // What the draws above check for some runs and blocks, for all of them. (Before scrambling, which
 // keeps nets, and which the draws above went through.)
 TEST(BlueNets, HoldForAllRunsAndBlocks) {
-    const detail::BlueTables& tables = detail::kBlueTables;
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
         const auto digits = [&](uint32_t index, uint32_t rank) {
-            return detail::movedDigits(slotDigits(0, index, slot, 1), tables.rank[slot](rank), 0);
+            return detail::movedDigits(slotDigits(0, index, slot, 1),
+                                       detail::rankDigits(slot, rank), 0);
         };
         for (unsigned a = 0; a <= 6; ++a) {
             for (unsigned k = 0; k <= 12; ++k) {
@@ -162,7 +150,7 @@ TEST(BlueNets, HoldForAllRunsAndBlocks) {
 // In padded domains for runs of any length, since they have no blocks of 4096.
 TEST(BlueNets, PaddedHoldForLongRuns) {
     const auto digits = [&](uint32_t index, uint32_t rank) {
-        return detail::movedDigits(sequenceDigits(index), rankWord(rank), 0);
+        return detail::movedDigits(sequenceDigits(index), detail::rankDigits(0, rank), 0);
     };
     for (unsigned a = 0; a <= 6; ++a) {
         for (unsigned k = 0; k + 2 * a <= 32; ++k) {
@@ -174,14 +162,14 @@ TEST(BlueNets, PaddedHoldForLongRuns) {
 
 TEST(BlueDigits, AreThoseOfTheRank) {
     for (uint32_t rank = 0; rank < kRanks; ++rank) {
-        const PointDigits point = detail::movedDigits({0, 0, 0}, rankWord(rank), 0);
-        ASSERT_EQ(point.x, rankTimes(rankMatrix(0), rank)) << rank;
-        ASSERT_EQ(point.y, rankTimes(rankMatrix(1), rank)) << rank;
-        ASSERT_EQ(point.z, rankTimes(rankMatrix(2), rank)) << rank;
-        const PointDigits exchanged = detail::movedDigits({1, 2, 3}, rankWord(rank), 0x80000000u);
-        ASSERT_EQ(exchanged.x, 2u ^ point.y) << rank;
-        ASSERT_EQ(exchanged.y, 1u ^ point.x) << rank;
-        ASSERT_EQ(exchanged.z, 3u ^ point.z) << rank;
+        const PointDigits digits = detail::rankDigits(0, rank);
+        ASSERT_EQ(digits.x, rankTimes(rankMatrix(0), rank)) << rank;
+        ASSERT_EQ(digits.y, rankTimes(rankMatrix(1), rank)) << rank;
+        ASSERT_EQ(digits.z, rankTimes(rankMatrix(2), rank)) << rank;
+        const PointDigits exchanged = detail::movedDigits({1, 2, 3}, digits, 0x80000000u);
+        ASSERT_EQ(exchanged.x, 2u ^ digits.y) << rank;
+        ASSERT_EQ(exchanged.y, 1u ^ digits.x) << rank;
+        ASSERT_EQ(exchanged.z, 3u ^ digits.z) << rank;
     }
 }
 
@@ -201,8 +189,10 @@ TEST(BlueTiles, AreQuadtrees) {
         }
     }
     for (unsigned place = 0; place < kRanks; ++place) {
-        EXPECT_EQ(detail::kBlueTables.padded[place], rankWord(kRankTilePadded[place]));
         EXPECT_EQ(detail::kBlueTables.slots[place], kRankTileSlots[place]);
+        const uint32_t hash = HashToUnsigned(place, 1);
+        EXPECT_EQ(detail::kBlueTables.padded[detail::paddedPlace(place, hash)],
+                  kRankTilePadded[detail::movedPlace(place, hash)]);
     }
 }
 
