@@ -24,6 +24,6 @@ exported() { nm -D --defined-only "$@" | awk '{print $3}' | grep tinygltf | sort
 exported usr/lib/*/libdraco.so.7.* > draco
 exported usr/lib/*/libtinygltf.so.2.* > tinygltf
 common=$(comm -12 draco tinygltf | wc -l)
-echo "functions  of tinygltf that both export: $common"
+echo "names of tinygltf that both export: $common"
 [ "$common" -gt 0 ] || { echo "changed: they share no names"; exit 1; }
 echo "as found"
