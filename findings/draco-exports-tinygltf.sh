@@ -9,6 +9,11 @@
 #
 # Downloads the two packages into a temporary folder, and runs nothing of them. Needs binutils. Fails
 # when the behavior changes.
+#
+# Expected: a library exports its own names; a program may link both of these.
+# Found: libdraco exports tinygltf as well, and programs that link both crash.
+# Versions: libdraco7 1.5.5+dfsg-2, libtinygltf2d 2.7.0+dfsg-2.
+# Source: Debian 12. Date: 2026-11-27. As recorded below.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -5,9 +5,14 @@
 # are, and after `reset`:
 #
 #     pngcairo and pdfcairo draw no text at all: exit code 0, no word on the standard error
-#     `reset` leaves `set linetype`, `set encoding` and `set decimalsign` as ~/.gnuplot has set them; `set colorsequence default` resets the colors of linetypes, not their widths
+#     `reset` leaves `set linetype`, `set encoding` and `set decimalsign` as ~/.gnuplot has set them;
+#     `set colorsequence default` resets the colors of linetypes, not their widths
 #
 # Needs gnuplot-nox. Fails when the behavior changes.
+#
+# Expected: an error or a warning where no font is found, and `reset` as after a start without ~/.gnuplot.
+# Found: neither.
+# Versions: gnuplot-nox 5.4.4+dfsg1-2+b2. Source: Debian 12. Date: 2026-11-27. As recorded below.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

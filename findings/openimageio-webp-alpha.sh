@@ -12,6 +12,10 @@
 # once more as "oiio:ioproxy".
 #
 # Needs libopenimageio-dev, openimageio-tools and g++. Fails when the behavior changes.
+#
+# Expected: "oiio:UnassociatedAlpha" is heeded for all formats, and open() takes the proxy it is given.
+# Found: neither is so, for WebP and for open().
+# Versions: OpenImageIO 2.4.7.1+dfsg-2. Source: Debian 12. Date: 2026-11-27. As recorded below.
 set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
