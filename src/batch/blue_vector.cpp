@@ -16,7 +16,6 @@
 #include "batch/blue_vector.h"
 #include "batch/sequence_orders.h"
 
-#include <algorithm>
 #include <type_traits>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
@@ -26,9 +25,6 @@ inline namespace stream1 {
 namespace batch {
 namespace HWY_NAMESPACE {
 namespace {
-
-/// How many vectors of samples are drawn at a time.
-constexpr std::size_t kBlockVectors = 8;
 
 HWY_INLINE bool same(V a, V b) { return hn::AllTrue(kWords, hn::Eq(a, b)); }
 
@@ -270,19 +266,10 @@ HWY_INLINE void drawBlock(std::size_t vectors, const SampleCtx* contexts, Domain
 template <typename Domain, typename Sample>
 HWY_INLINE void drawDomain(std::size_t n, const SampleCtx* contexts, Domain domain, Sample* xis) {
     KeptPoint<Domain> point(domain);
-    SampleCtx copies[kLanes];
-    Sample drawn[kLanes];
-    for (std::size_t i = 0; i < n;) {
-        const std::size_t whole = std::min((n - i) / kLanes, kBlockVectors);
-        // The rest, which fills no vector, is copied. One call, since all of this is inlined.
-        const bool isRest = whole == 0;
-        if (isRest)
-            std::fill(std::copy(contexts + i, contexts + n, copies), copies + kLanes, SampleCtx{});
-        drawBlock(isRest ? 1 : whole, isRest ? copies : contexts + i, domain, point,
-                  isRest ? drawn : xis + i);
-        if (isRest) std::copy_n(drawn, n - i, xis + i);
-        i += isRest ? n - i : whole * kLanes;
-    }
+    forBlocks(
+        n, contexts, xis,
+        [&](std::size_t vectors, const SampleCtx* some, Sample* results)
+            __attribute__((always_inline)) { drawBlock(vectors, some, domain, point, results); });
 }
 
 template <typename Sample>

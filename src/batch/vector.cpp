@@ -19,7 +19,6 @@
 #include "batch/sequence_vector.h"
 #include "batch/vector_words.h"
 
-#include <algorithm>
 #include <type_traits>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
@@ -29,9 +28,6 @@ inline namespace stream1 {
 namespace batch {
 namespace HWY_NAMESPACE {
 namespace {
-
-/// How many vectors of samples are drawn at a time.
-constexpr std::size_t kBlockVectors = 8;
 
 HWY_INLINE V permuteBits(V x, PermutationKey key) {
     return mixBits(hn::Xor(x, constant(key.mask)), constant(key.multiplier));
@@ -486,19 +482,10 @@ HWY_INLINE void drawVector(const uint32_t* words, const SampleCtx* contexts, Ord
 template <typename Order, typename Sample>
 HWY_INLINE void drawInOrder(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                             Order order, Sample* xis) {
-    SampleCtx copies[kLanes];
-    Sample drawn[kLanes];
-    for (std::size_t i = 0; i < n;) {
-        const std::size_t whole = std::min((n - i) / kLanes, kBlockVectors);
-        // The rest, which fills no vector, is copied. One call, since all of this is inlined.
-        const bool isRest = whole == 0;
-        if (isRest)
-            std::fill(std::copy(contexts + i, contexts + n, copies), copies + kLanes, SampleCtx{});
-        drawBlock(isRest ? 1 : whole, words, isRest ? copies : contexts + i, order,
-                  isRest ? drawn : xis + i);
-        if (isRest) std::copy_n(drawn, n - i, xis + i);
-        i += isRest ? n - i : whole * kLanes;
-    }
+    forBlocks(
+        n, contexts, xis,
+        [&](std::size_t vectors, const SampleCtx* some, Sample* results)
+            __attribute__((always_inline)) { drawBlock(vectors, words, some, order, results); });
 }
 
 template <typename Sample>

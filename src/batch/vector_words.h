@@ -17,6 +17,7 @@
 
 #include "hwy/highway.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -87,6 +88,30 @@ HWY_INLINE void forVectors(std::size_t n, Context* contexts, Result* results, Fu
     for (std::size_t k = 0; k < rest; ++k) someContexts[k] = contexts[i + k];
     function(someContexts, someResults);
     for (std::size_t k = 0; k < rest; ++k) results[i + k] = someResults[k];
+}
+
+/// How many vectors are a block.
+constexpr std::size_t kBlockVectors = 8;
+
+/// The same by blocks: calls function(vectors, contexts, results) for up to kBlockVectors whole
+/// vectors at a time. At one place, since all of a function is inlined.
+template <typename Result, typename Function>
+HWY_INLINE void forBlocks(std::size_t n, const SampleCtx* contexts, Result* results,
+                          Function function) {
+    SampleCtx someContexts[kLanes];
+    Result someResults[kLanes];
+    for (std::size_t i = 0; i < n;) {
+        const std::size_t whole = std::min((n - i) / kLanes, kBlockVectors);
+        const bool isRest = whole == 0;
+        if (isRest) {
+            std::fill(std::copy(contexts + i, contexts + n, someContexts), someContexts + kLanes,
+                      SampleCtx{});
+        }
+        function(isRest ? 1 : whole, isRest ? someContexts : contexts + i,
+                 isRest ? someResults : results + i);
+        if (isRest) std::copy_n(someResults, n - i, results + i);
+        i += isRest ? n - i : whole * kLanes;
+    }
 }
 
 } // namespace HWY_NAMESPACE
