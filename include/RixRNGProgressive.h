@@ -23,14 +23,18 @@ inline RtFloat3 RixProgressiveSample3D(unsigned patternid, unsigned sampleid) {
 }
 
 /// The samples of n contexts.
-inline void RixProgressiveSamples1D(unsigned n, const wellstrat::SampleCtx* contexts, float* xis) {
+inline void RixProgressiveSamples1D(unsigned n,
+                                    wellstrat::ArrayArgument<const wellstrat::SampleCtx> contexts,
+                                    wellstrat::ArrayArgument<float> xis) {
     wellstrat::drawSamples1D(n, contexts, xis);
 }
-inline void RixProgressiveSamples2D(unsigned n, const wellstrat::SampleCtx* contexts,
-                                    RtFloat2* xis) {
+inline void RixProgressiveSamples2D(unsigned n,
+                                    wellstrat::ArrayArgument<const wellstrat::SampleCtx> contexts,
+                                    wellstrat::ArrayArgument<RtFloat2> xis) {
     wellstrat::drawSamples2D(n, contexts, xis);
 }
-inline void RixProgressiveSamples3D(unsigned n, const wellstrat::SampleCtx* contexts,
-                                    RtFloat3* xis) {
+inline void RixProgressiveSamples3D(unsigned n,
+                                    wellstrat::ArrayArgument<const wellstrat::SampleCtx> contexts,
+                                    wellstrat::ArrayArgument<RtFloat3> xis) {
     wellstrat::drawSamples3D(n, contexts, xis);
 }

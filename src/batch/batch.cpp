@@ -58,101 +58,159 @@ bool forceBatchTarget(const char* name) {
     return false;
 }
 
-void drawSamples1D(std::size_t n, const SampleCtx* contexts, float* xis) {
-    if (n > 0) chosenKernels().draw1D(n, tables(), readOnly(contexts), 0, xis);
+void drawSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                   ArrayArgument<float> xis) {
+    if (n == 0) return;
+    chosenKernels().draw1D(n, tables(), readOnly(contexts.first(n, __func__)), 0,
+                           xis.first(n, __func__));
 }
 
-void drawSamples2D(std::size_t n, const SampleCtx* contexts, Float2* xis) {
-    if (n > 0) chosenKernels().draw2D(n, tables(), readOnly(contexts), 0, xis);
+void drawSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                   ArrayArgument<Float2> xis) {
+    if (n == 0) return;
+    chosenKernels().draw2D(n, tables(), readOnly(contexts.first(n, __func__)), 0,
+                           xis.first(n, __func__));
 }
 
-void drawSamples3D(std::size_t n, const SampleCtx* contexts, Float3* xis) {
-    if (n > 0) chosenKernels().draw3D(n, tables(), readOnly(contexts), 0, xis);
+void drawSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                   ArrayArgument<Float3> xis) {
+    if (n == 0) return;
+    chosenKernels().draw3D(n, tables(), readOnly(contexts.first(n, __func__)), 0,
+                           xis.first(n, __func__));
 }
 
-void generateSamples1D(std::size_t n, SampleCtx* contexts, float* xis) {
-    if (n > 0) chosenKernels().draw1D(n, tables(), contexts, 1, xis);
+void generateSamples1D(std::size_t n, ArrayArgument<SampleCtx> contexts, ArrayArgument<float> xis) {
+    if (n == 0) return;
+    chosenKernels().draw1D(n, tables(), contexts.first(n, __func__), 1, xis.first(n, __func__));
 }
 
-void generateSamples2D(std::size_t n, SampleCtx* contexts, Float2* xis) {
-    if (n > 0) chosenKernels().draw2D(n, tables(), contexts, 1, xis);
+void generateSamples2D(std::size_t n, ArrayArgument<SampleCtx> contexts,
+                       ArrayArgument<Float2> xis) {
+    if (n == 0) return;
+    chosenKernels().draw2D(n, tables(), contexts.first(n, __func__), 1, xis.first(n, __func__));
 }
 
-void generateSamples3D(std::size_t n, SampleCtx* contexts, Float3* xis) {
-    if (n > 0) chosenKernels().draw3D(n, tables(), contexts, 1, xis);
+void generateSamples3D(std::size_t n, ArrayArgument<SampleCtx> contexts,
+                       ArrayArgument<Float3> xis) {
+    if (n == 0) return;
+    chosenKernels().draw3D(n, tables(), contexts.first(n, __func__), 1, xis.first(n, __func__));
 }
 
-void drawJointSamples1D(std::size_t n, const SampleCtx* contexts, Order order, float* xis) {
-    if (!detail::hasSlot(order)) return drawSamples1D(n, contexts, xis);
-    if (n > 0) chosenKernels().drawJoint1D(n, tables(), contexts, order.slot, order.splits, xis);
+void drawJointSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                        ArrayArgument<float> xis) {
+    if (!detail::hasSlot(order)) {
+        return drawSamples1D(n, contexts.first(n, __func__), xis.first(n, __func__));
+    }
+    if (n == 0) return;
+    chosenKernels().drawJoint1D(n, tables(), contexts.first(n, __func__), order.slot, order.splits,
+                                xis.first(n, __func__));
 }
 
-void drawJointSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Float2* xis) {
-    if (!detail::hasSlot(order)) return drawSamples2D(n, contexts, xis);
-    if (n > 0) chosenKernels().drawJoint2D(n, tables(), contexts, order.slot, order.splits, xis);
+void drawJointSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                        ArrayArgument<Float2> xis) {
+    if (!detail::hasSlot(order)) {
+        return drawSamples2D(n, contexts.first(n, __func__), xis.first(n, __func__));
+    }
+    if (n == 0) return;
+    chosenKernels().drawJoint2D(n, tables(), contexts.first(n, __func__), order.slot, order.splits,
+                                xis.first(n, __func__));
 }
 
-void drawJointSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
-    if (!detail::hasSlot(order)) return drawSamples3D(n, contexts, xis);
-    if (n > 0) chosenKernels().drawJoint3D(n, tables(), contexts, order.slot, order.splits, xis);
+void drawJointSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                        ArrayArgument<Float3> xis) {
+    if (!detail::hasSlot(order)) {
+        return drawSamples3D(n, contexts.first(n, __func__), xis.first(n, __func__));
+    }
+    if (n == 0) return;
+    chosenKernels().drawJoint3D(n, tables(), contexts.first(n, __func__), order.slot, order.splits,
+                                xis.first(n, __func__));
 }
 
-void drawSequenceSamples1D(std::size_t n, const SampleCtx* contexts, Order order, float* xis) {
-    detail::hasSlot(order);
-    if (n > 0) chosenKernels().drawSequence1D(n, contexts, order.slot, order.splits, xis);
+void drawSequenceSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                           ArrayArgument<float> xis) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawSequence1D(n, contexts.first(n, __func__), order.slot, order.splits,
+                                   xis.first(n, __func__));
 }
 
-void drawSequenceSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Float2* xis) {
-    detail::hasSlot(order);
-    if (n > 0) chosenKernels().drawSequence2D(n, contexts, order.slot, order.splits, xis);
+void drawSequenceSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                           ArrayArgument<Float2> xis) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawSequence2D(n, contexts.first(n, __func__), order.slot, order.splits,
+                                   xis.first(n, __func__));
 }
 
-void drawSequenceSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
-    detail::hasSlot(order);
-    if (n > 0) chosenKernels().drawSequence3D(n, contexts, order.slot, order.splits, xis);
+void drawSequenceSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                           ArrayArgument<Float3> xis) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawSequence3D(n, contexts.first(n, __func__), order.slot, order.splits,
+                                   xis.first(n, __func__));
 }
 
-void drawBlueSamples1D(std::size_t n, const SampleCtx* contexts, Order order, float* xis) {
-    detail::hasSlot(order);
-    if (n > 0) chosenKernels().drawBlue1D(n, contexts, order.slot, order.splits, xis);
+void drawBlueSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                       ArrayArgument<float> xis) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawBlue1D(n, contexts.first(n, __func__), order.slot, order.splits,
+                               xis.first(n, __func__));
 }
 
-void drawBlueSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Float2* xis) {
-    detail::hasSlot(order);
-    if (n > 0) chosenKernels().drawBlue2D(n, contexts, order.slot, order.splits, xis);
+void drawBlueSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                       ArrayArgument<Float2> xis) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawBlue2D(n, contexts.first(n, __func__), order.slot, order.splits,
+                               xis.first(n, __func__));
 }
 
-void drawBlueSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
-    detail::hasSlot(order);
-    if (n > 0) chosenKernels().drawBlue3D(n, contexts, order.slot, order.splits, xis);
+void drawBlueSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                       ArrayArgument<Float3> xis) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawBlue3D(n, contexts.first(n, __func__), order.slot, order.splits,
+                               xis.first(n, __func__));
 }
 
-void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {
-    newDomainsSplit(n, parents, scramble, 1, children);
+void newDomains(std::size_t n, ArrayArgument<const SampleCtx> parents, Scramble scramble,
+                ArrayArgument<SampleCtx> children) {
+    newDomainsSplit(n, parents.first(n, __func__), scramble, 1, children.first(n, __func__));
 }
 
-void newDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
-                       unsigned newsampleid, SampleCtx* children) {
-    if (n > 0) chosenKernels().newDomainsDistrib(n, parents, scramble, newsampleid, children);
+void newDomainsDistrib(std::size_t n, ArrayArgument<const SampleCtx> parents, Scramble scramble,
+                       unsigned newsampleid, ArrayArgument<SampleCtx> children) {
+    if (n == 0) return;
+    chosenKernels().newDomainsDistrib(n, parents.first(n, __func__), scramble, newsampleid,
+                                      children.first(n, __func__));
 }
 
-void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
-                     unsigned newnumsamples, SampleCtx* children) {
-    if (n > 0) chosenKernels().newDomainsSplit(n, parents, scramble, newnumsamples, children);
+void newDomainsSplit(std::size_t n, ArrayArgument<const SampleCtx> parents, Scramble scramble,
+                     unsigned newnumsamples, ArrayArgument<SampleCtx> children) {
+    if (n == 0) return;
+    chosenKernels().newDomainsSplit(n, parents.first(n, __func__), scramble, newnumsamples,
+                                    children.first(n, __func__));
 }
 
-void newBlueDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
-                         unsigned newnumsamples, SampleCtx* children) {
-    if (n > 0) chosenKernels().newBlueDomainsSplit(n, parents, scramble, newnumsamples, children);
+void newBlueDomainsSplit(std::size_t n, ArrayArgument<const SampleCtx> parents, Scramble scramble,
+                         unsigned newnumsamples, ArrayArgument<SampleCtx> children) {
+    if (n == 0) return;
+    chosenKernels().newBlueDomainsSplit(n, parents.first(n, __func__), scramble, newnumsamples,
+                                        children.first(n, __func__));
 }
 
-void newBlueDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,
-                           unsigned newsampleid, SampleCtx* children) {
-    if (n > 0) chosenKernels().newBlueDomainsDistrib(n, parents, scramble, newsampleid, children);
+void newBlueDomainsDistrib(std::size_t n, ArrayArgument<const SampleCtx> parents, Scramble scramble,
+                           unsigned newsampleid, ArrayArgument<SampleCtx> children) {
+    if (n == 0) return;
+    chosenKernels().newBlueDomainsDistrib(n, parents.first(n, __func__), scramble, newsampleid,
+                                          children.first(n, __func__));
 }
 
-void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
-    if (n > 0) chosenKernels().hashToRandom(n, contexts, xis);
+void hashToRandom(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                  ArrayArgument<float> xis) {
+    if (n == 0) return;
+    chosenKernels().hashToRandom(n, contexts.first(n, __func__), xis.first(n, __func__));
 }
 
 } // namespace stream1

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether an order, which users may set as they like, has a slot to draw from.
+// Whether an order, which users may set as they like, is one and has a slot to draw from.
 
 #pragma once
 
@@ -13,13 +13,18 @@ namespace detail {
 /// Says in one line what is wrong with the order, and ends the program.
 [[noreturn]] void endForOrder(Order order);
 
-/// False for padded domains. Ends the program for what is no order of a slot.
-inline bool hasSlot(Order order) {
-    if (order.slot == kJointSlots) return false;
+/// Ends the program for an order that deriveOrder never gives.
+inline void checkOrder(Order order) {
+    if (order.slot == kJointSlots) return;
     if (WELLSTRAT_UNLIKELY(order.slot > kJointSlots || order.splits - 1u >= kMaxJointSplit)) {
         endForOrder(order);
     }
-    return true;
+}
+
+/// False for padded domains. Ends the program as checkOrder does.
+inline bool hasSlot(Order order) {
+    checkOrder(order);
+    return order.slot != kJointSlots;
 }
 
 } // namespace detail

@@ -4,6 +4,8 @@
 // written.
 
 #include "RixRNG.h"
+#include "RixRNGProgressive.h"
+#include "wellstrat/batch.h"
 #include "wellstrat/joint.h"
 
 #include <gtest/gtest.h>
@@ -135,6 +137,29 @@ TEST_F(ArrayArgumentDeathTest, TooSmallForDomains) {
     EXPECT_DEATH(rng.NewDomains(kScramble, three), "NewDomains: the array has 3 elements");
     EXPECT_DEATH(rng.NewDomainsSplit(kScramble, 2, three), "NewDomainsSplit: the array has 3");
     EXPECT_DEATH(rng.NewDomainsDistrib(kScramble, 0, three), "NewDomainsDistrib: the array has 3");
+}
+
+TEST_F(ArrayArgumentDeathTest, TooSmallForFunctionsOverArrays) {
+    const std::vector<SampleCtx> parents(contexts, contexts + 4);
+    const std::vector<SampleCtx> few(3);
+    std::vector<SampleCtx> children(3);
+    std::vector<float> one(3), enough(4);
+    std::vector<RtFloat2> two(3);
+    std::vector<RtFloat3> three(3);
+    const wellstrat::Order order;
+    EXPECT_DEATH(wellstrat::drawSamples1D(4, few, enough), "drawSamples1D: .* has 3 .* needs 4");
+    EXPECT_DEATH(wellstrat::drawSamples1D(4, parents, one), "drawSamples1D: .* has 3 .* needs 4");
+    EXPECT_DEATH(wellstrat::drawSamples2D(4, parents, two), "drawSamples2D: .* has 3 .* needs 4");
+    EXPECT_DEATH(wellstrat::generateSamples3D(4, contexts, three), "generateSamples3D: .* needs 4");
+    EXPECT_DEATH(wellstrat::drawJointSamples2D(4, parents, order, two), "drawJointSamples2D: ");
+    EXPECT_DEATH(wellstrat::drawSequenceSamples2D(4, parents, order, two), "drawSequenceSamples2D");
+    EXPECT_DEATH(wellstrat::drawBlueSamples3D(4, parents, order, three), "drawBlueSamples3D: ");
+    EXPECT_DEATH(wellstrat::newDomains(4, parents, kScramble, children), "newDomains: .* needs 4");
+    EXPECT_DEATH(wellstrat::newBlueDomainsSplit(4, parents, kScramble, 2, children), "has 3");
+    EXPECT_DEATH(wellstrat::hashToRandom(4, parents, one), "hashToRandom: .* has 3 .* needs 4");
+    EXPECT_DEATH(RixProgressiveSamples2D(4, parents, two), "drawSamples2D: .* has 3 .* needs 4");
+    wellstrat::drawSamples2D(3, parents, two);
+    EXPECT_EQ(two[2], rng.DrawSample2D(2));
 }
 
 /// Slots and splits that no derivation gives.
