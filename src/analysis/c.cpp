@@ -38,8 +38,8 @@ int wellstrat_l2_discrepancy(uint32_t kind, const double* points, size_t n, uint
             throw std::invalid_argument("n is " + std::to_string(n) + "; accepted are 1 to " +
                                         std::to_string(kMost));
         }
-        c::checkArray(points, "points", n);
-        c::checkResult(discrepancy, "discrepancy");
+        c::checkPointer(points, "points", n);
+        c::checkPointer(discrepancy, "discrepancy");
         *discrepancy = l2Discrepancy(UnitPoints(points, n, dims), known);
     });
 }

@@ -36,20 +36,12 @@ int guarded(const char* function, const Body& body) noexcept {
     }
 }
 
-/// Throws for null. `name` is that of the argument.
-inline void checkResult(const void* pointer, const char* name) {
-    if (pointer != nullptr) return;
-    throw std::invalid_argument(std::string(name) +
-                                " is null; it must point to where the result "
-                                "is to be");
-}
-
-/// Throws for null, unless there are no elements.
-inline void checkArray(const void* pointer, const char* name, std::size_t n) {
+/// Throws for null, where there is anything to read or write. `name` is that of the argument.
+inline void checkPointer(const void* pointer, const char* name, std::size_t n = 1) {
     if (pointer != nullptr || n == 0) return;
-    throw std::invalid_argument(std::string(name) +
-                                " is null; that is accepted of no elements, and there are " +
-                                std::to_string(n));
+    throw std::invalid_argument(
+        std::string(name) + " is null; " +
+        (n == 1 ? "it must point to a value" : "it must be an array for n = " + std::to_string(n)));
 }
 
 } // namespace c

@@ -44,9 +44,9 @@ int derived(const Derivation& to, unsigned split, const Derive& derive) {
         const Generator& generator = c::generatorOf(to.parent);
         const Order order = c::orderOf(to.parent);
         const unsigned n = c::checkedCount(to.n);
-        c::checkArray(to.parents, "parents", n);
-        c::checkResult(to.child, "child");
-        c::checkArray(to.children, to.childrenName, n);
+        c::checkPointer(to.parents, "parents", n);
+        c::checkPointer(to.child, "child");
+        c::checkPointer(to.children, to.childrenName, n);
 
         const Order childOrder = generator.ChildOrder(order, to.scramble, split);
         if (n > 0) derive(generator, order, n);
@@ -88,7 +88,7 @@ int wellstrat_camera_domain(uint32_t generator, wellstrat_domain* domain) {
         const Order root;
         const wellstrat_domain camera = {generator, root.slot, root.splits};
         c::generatorOf(camera);
-        c::checkResult(domain, "domain");
+        c::checkPointer(domain, "domain");
         *domain = camera;
     });
 }

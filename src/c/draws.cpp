@@ -32,8 +32,8 @@ int drawn(const char* function, wellstrat_domain domain, std::size_t n,
         const Generator& generator = c::generatorOf(domain);
         const Order order = c::drawnOrderOf(domain);
         const unsigned count = c::checkedCount(n);
-        c::checkArray(contexts, "contexts", n);
-        c::checkArray(xis, xisName, n);
+        c::checkPointer(contexts, "contexts", n);
+        c::checkPointer(xis, xisName, n);
         if (count > 0) {
             draw(generator, count, *c::contexts(contexts), order, reinterpret_cast<Sample*>(xis));
         }
@@ -108,8 +108,8 @@ int wellstrat_draw_words(wellstrat_domain domain, size_t n, const wellstrat_cont
                                         " have 24 bits; accepted are 2 (long) and 3 (blue)");
         }
         const unsigned count = c::checkedCount(n);
-        c::checkArray(contexts, "contexts", n);
-        c::checkArray(words, "words", n);
+        c::checkPointer(contexts, "contexts", n);
+        c::checkPointer(words, "words", n);
         for (unsigned i = 0; i < count; ++i) {
             const SampleCtx sc = c::contexts(contexts)[i];
             const SeededPoint point =

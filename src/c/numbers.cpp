@@ -23,8 +23,8 @@ float wellstrat_hash_to_random(uint32_t a, uint32_t b) { return HashToRandom(a, 
 
 int wellstrat_choose_of_two_and_remap(float prob0, float* xi, uint32_t* chosen) {
     return c::guarded(__func__, [&] {
-        c::checkResult(xi, "xi");
-        c::checkResult(chosen, "chosen");
+        c::checkPointer(xi, "xi");
+        c::checkPointer(chosen, "chosen");
         *chosen = RixChooseAndRemap(*xi, prob0);
     });
 }
@@ -33,9 +33,9 @@ int wellstrat_choose_and_remap(const float* weights, size_t n, float* xi, uint32
                                float* prob) {
     return c::guarded(__func__, [&] {
         const unsigned count = c::checkedCount(n);
-        c::checkArray(weights, "weights", n);
-        c::checkResult(xi, "xi");
-        c::checkResult(chosen, "chosen");
+        c::checkPointer(weights, "weights", n);
+        c::checkPointer(xi, "xi");
+        c::checkPointer(chosen, "chosen");
         *chosen = RixChooseAndRemap(*xi, weights, count, prob);
     });
 }
