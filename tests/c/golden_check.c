@@ -83,38 +83,25 @@ static size_t first_sample(const uint32_t* a, uint32_t generator, int has_slot, 
     return 3;
 }
 
-static size_t sample(const uint32_t* a, uint32_t* r) {
-    return first_sample(a, WELLSTRAT_PMJ, 0, r);
+static size_t sample(const uint32_t* a, uint32_t generator, uint32_t* r) {
+    return first_sample(a, generator, 0, r);
 }
-static size_t random_sample(const uint32_t* a, uint32_t* r) {
-    return first_sample(a, WELLSTRAT_RANDOM, 0, r);
-}
-static size_t joint(const uint32_t* a, uint32_t* r) {
-    return first_sample(a, WELLSTRAT_JOINT, 1, r);
-}
-static size_t long_sample(const uint32_t* a, uint32_t* r) {
-    return first_sample(a, WELLSTRAT_LONG, 0, r);
-}
-static size_t long_slot(const uint32_t* a, uint32_t* r) {
-    return first_sample(a, WELLSTRAT_LONG, 1, r);
-}
-static size_t blue(const uint32_t* a, uint32_t* r) { return first_sample(a, WELLSTRAT_BLUE, 0, r); }
-static size_t blue_slot(const uint32_t* a, uint32_t* r) {
-    return first_sample(a, WELLSTRAT_BLUE, 1, r);
+static size_t slot_sample(const uint32_t* a, uint32_t generator, uint32_t* r) {
+    return first_sample(a, generator, 1, r);
 }
 
-static size_t sequence(const uint32_t* a, uint32_t* r) {
+static size_t sequence(const uint32_t* a, uint32_t generator, uint32_t* r) {
     wellstrat_domain domain;
     const wellstrat_context context = {a[0], a[1]};
-    require(wellstrat_camera_domain(WELLSTRAT_LONG, &domain));
+    require(wellstrat_camera_domain(generator, &domain));
     require(wellstrat_draw_words(domain, 1, &context, r));
     return 3;
 }
 
 // FNV-1a of the bytes of all samples, drawn in batches of 1, 2, 3, ...
-static size_t run(const uint32_t* a, uint32_t* r) {
+static size_t run(const uint32_t* a, uint32_t generator, uint32_t* r) {
     wellstrat_domain domain;
-    require(wellstrat_camera_domain(WELLSTRAT_PMJ, &domain));
+    require(wellstrat_camera_domain(generator, &domain));
     uint32_t hash = 2166136261u;
     for (uint32_t first = 0, n = 1; first < a[2]; first += n, ++n) {
         if (n > a[2] - first) n = a[2] - first;
@@ -138,7 +125,8 @@ static size_t run(const uint32_t* a, uint32_t* r) {
     return 1;
 }
 
-static size_t hash(const uint32_t* a, uint32_t* r) {
+static size_t hash(const uint32_t* a, uint32_t generator, uint32_t* r) {
+    (void)generator;
     r[0] = wellstrat_hash_to_unsigned(a[0], a[1]);
     agree(bits_of(wellstrat_hash_to_random(a[0], a[1])) == r[0] >> 8, "the hashes differ");
     return 1;
@@ -183,33 +171,28 @@ static size_t derived(const uint32_t* a, uint32_t generator, enum kind kind, uin
     return context_words(children[0], r);
 }
 
-static size_t domain(const uint32_t* a, uint32_t* r) {
-    return derived(a, WELLSTRAT_PMJ, kPlain, r);
+static size_t domain(const uint32_t* a, uint32_t generator, uint32_t* r) {
+    return derived(a, generator, kPlain, r);
 }
-static size_t split(const uint32_t* a, uint32_t* r) { return derived(a, WELLSTRAT_PMJ, kSplit, r); }
-static size_t distrib(const uint32_t* a, uint32_t* r) {
-    return derived(a, WELLSTRAT_PMJ, kDistrib, r);
+static size_t split(const uint32_t* a, uint32_t generator, uint32_t* r) {
+    return derived(a, generator, kSplit, r);
 }
-static size_t blue_split(const uint32_t* a, uint32_t* r) {
-    return derived(a, WELLSTRAT_BLUE, kSplit, r);
-}
-static size_t blue_distrib(const uint32_t* a, uint32_t* r) {
-    return derived(a, WELLSTRAT_BLUE, kDistrib, r);
+static size_t distrib(const uint32_t* a, uint32_t generator, uint32_t* r) {
+    return derived(a, generator, kDistrib, r);
 }
 
-static size_t camera(const uint32_t* a, uint32_t* r) {
-    return context_words(wellstrat_camera_context((int32_t)a[0], (int32_t)a[1], a[2], a[3], 0), r);
-}
-static size_t seeded(const uint32_t* a, uint32_t* r) {
-    return context_words(wellstrat_camera_context((int32_t)a[0], (int32_t)a[1], a[2], a[3], a[4]),
+// a[4] is 0 where a record has no seed.
+static size_t camera(const uint32_t* a, uint32_t generator, uint32_t* r) {
+    const int32_t x = (int32_t)a[0], y = (int32_t)a[1];
+    return context_words(generator == WELLSTRAT_BLUE
+                             ? wellstrat_blue_context(x, y, a[2], a[3])
+                             : wellstrat_camera_context(x, y, a[2], a[3], a[4]),
                          r);
 }
-static size_t blue_camera(const uint32_t* a, uint32_t* r) {
-    return context_words(wellstrat_blue_context((int32_t)a[0], (int32_t)a[1], a[2], a[3]), r);
-}
 
-static size_t stream(const uint32_t* a, uint32_t* r) {
+static size_t stream(const uint32_t* a, uint32_t generator, uint32_t* r) {
     (void)a;
+    (void)generator;
     r[0] = wellstrat_stream_version();
     agree(r[0] == WELLSTRAT_C_STREAM_VERSION, "header and library are of two streams");
     return 1;
@@ -218,27 +201,28 @@ static size_t stream(const uint32_t* a, uint32_t* r) {
 static const struct {
     const char* name;
     size_t arguments;
-    size_t (*answer)(const uint32_t* arguments, uint32_t* results);
+    size_t (*answer)(const uint32_t* arguments, uint32_t generator, uint32_t* results);
+    uint32_t generator;
 } kKinds[] = {
-    {"stream", 0, stream},
-    {"sample", 2, sample},
-    {"random", 2, random_sample},
-    {"joint", 4, joint},
-    {"long", 2, long_sample},
-    {"longslot", 4, long_slot},
-    {"blue", 2, blue},
-    {"blueslot", 4, blue_slot},
-    {"sequence", 2, sequence},
-    {"run", 3, run},
-    {"hash", 2, hash},
-    {"domain", 3, domain},
-    {"distrib", 4, distrib},
-    {"split", 4, split},
-    {"camera", 4, camera},
-    {"seeded", 5, seeded},
-    {"bluesplit", 4, blue_split},
-    {"bluedistrib", 4, blue_distrib},
-    {"bluecamera", 4, blue_camera},
+    {"stream", 0, stream, WELLSTRAT_PMJ},
+    {"sample", 2, sample, WELLSTRAT_PMJ},
+    {"random", 2, sample, WELLSTRAT_RANDOM},
+    {"joint", 4, slot_sample, WELLSTRAT_JOINT},
+    {"long", 2, sample, WELLSTRAT_LONG},
+    {"longslot", 4, slot_sample, WELLSTRAT_LONG},
+    {"blue", 2, sample, WELLSTRAT_BLUE},
+    {"blueslot", 4, slot_sample, WELLSTRAT_BLUE},
+    {"sequence", 2, sequence, WELLSTRAT_LONG},
+    {"run", 3, run, WELLSTRAT_PMJ},
+    {"hash", 2, hash, WELLSTRAT_PMJ},
+    {"domain", 3, domain, WELLSTRAT_PMJ},
+    {"distrib", 4, distrib, WELLSTRAT_PMJ},
+    {"split", 4, split, WELLSTRAT_PMJ},
+    {"bluedistrib", 4, distrib, WELLSTRAT_BLUE},
+    {"bluesplit", 4, split, WELLSTRAT_BLUE},
+    {"camera", 4, camera, WELLSTRAT_PMJ},
+    {"seeded", 5, camera, WELLSTRAT_PMJ},
+    {"bluecamera", 4, camera, WELLSTRAT_BLUE},
 };
 
 // Reads words, hexadecimal, up to `end` or the end of the line. Returns how many.
@@ -263,7 +247,7 @@ static enum result check(char* line) {
     if (text == NULL) return kNoRecord;
     const size_t length = (size_t)(text - line);
     if (strncmp(line, "table ", 6) == 0) return kLeftOut;
-    uint32_t arguments[kMaxWords], expected[kMaxWords], got[kMaxWords];
+    uint32_t arguments[kMaxWords] = {0}, expected[kMaxWords], got[kMaxWords];
     const size_t n = read_words(&text, '=', arguments);
     if (*text++ != '=') return kNoRecord;
     const size_t results = read_words(&text, '\n', expected);
@@ -272,7 +256,7 @@ static enum result check(char* line) {
             continue;
         }
         if (n != kKinds[k].arguments) return kNoRecord;
-        const size_t count = kKinds[k].answer(arguments, got);
+        const size_t count = kKinds[k].answer(arguments, kKinds[k].generator, got);
         const int same = count == results && memcmp(got, expected, count * sizeof *got) == 0;
         return same ? kAgrees : kDiffers;
     }
