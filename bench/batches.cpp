@@ -3,11 +3,19 @@
 // Batches of draws and of new domains, on each target.
 
 #include "scenarios.h"
+#include "wellstrat/c.h"
 
 namespace wellstrat {
 namespace {
 
 constexpr auto kScramble = static_cast<Scramble>(0x2d96c92bu);
+
+/// kDrawAll2D by the interface in C.
+constexpr auto kDrawAll2DInC = +[](const RixRNG& rng, RtFloat2* xis) {
+    const wellstrat_domain domain = {WELLSTRAT_PMJ, WELLSTRAT_NO_SLOT, 1};
+    const auto* contexts = reinterpret_cast<const wellstrat_context*>(rng.sampleCtxArray);
+    wellstrat_draw_samples_2d(domain, rng.numPts, contexts, &xis->x);
+};
 
 template <typename DrawAll>
 void addDraws(const std::string& name, const std::vector<int64_t>& sizes, Access access,
@@ -69,6 +77,7 @@ const Suite kSuite([] {
     addDraws("random 2D", sizes, Access::random, kDrawAll2D);
     addDraws("random 3D", sizes, Access::random, kDrawAll3D);
     addDraws("one pattern 2D", {4096}, Access::onePattern, kDrawAll2D);
+    addDraws("in C, coherent 2D", sizes, Access::coherent, kDrawAll2DInC);
     addBatches("new domains", {4096}, derive);
     addBatches("new domains, draw 2D", {4096}, deriveThenDraw);
     addBatches("hash to random", {4096}, hashes);

@@ -53,6 +53,8 @@ cmake_path(RELATIVE_PATH CMAKE_INSTALL_FULL_INCLUDEDIR BASE_DIRECTORY ${CMAKE_IN
 set(pc_description_wellstrat "${PROJECT_DESCRIPTION}")
 set(pc_description_wellstrat-debug "Finds the mistakes that integrators make with sample domains")
 set(pc_description_wellstrat-analysis "Measures point sets and samples: nets, discrepancies, errors")
+list(TRANSFORM WELLSTRAT_CXX_RUNTIME PREPEND -l OUTPUT_VARIABLE cxx_runtime)
+list(JOIN cxx_runtime " " pc_libs_private_wellstrat)
 set(pc_libs_private_wellstrat-analysis -lfftw3)
 foreach(library IN LISTS installed_libraries)
   string(REPLACE _ - pc_name ${library})

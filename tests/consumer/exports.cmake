@@ -1,5 +1,5 @@
 # The shared libraries in FOLDER have names that end in .so.SOVERSION, and export symbols of namespace
-# wellstrat, in the version node of that number, and no others.
+# wellstrat and C functions of that prefix, in the version node of that number, and no others.
 
 file(GLOB libraries ${FOLDER}/libwellstrat*.so)
 list(LENGTH libraries count)
@@ -23,7 +23,7 @@ foreach(library IN LISTS libraries)
   set(functions 0)
   foreach(symbol IN LISTS symbols)
     string(FIND "${symbol}" "@@${node} " position)
-    if(symbol MATCHES "^((vtable|typeinfo|typeinfo name) for )?wellstrat::" AND position GREATER 0)
+    if(symbol MATCHES "^(((vtable|typeinfo|typeinfo name) for )?wellstrat::|wellstrat_)" AND position GREATER 0)
       math(EXPR functions "${functions} + 1")
     elseif(NOT symbol MATCHES "^${node}(@@${node})? A")
       message(SEND_ERROR "${name} exports ${symbol}")
@@ -32,5 +32,5 @@ foreach(library IN LISTS libraries)
   if(functions EQUAL 0)
     message(SEND_ERROR "${name} exports nothing")
   endif()
-  message(STATUS "${name} exports ${functions} symbols of namespace wellstrat")
+  message(STATUS "${name} exports ${functions} symbols of wellstrat")
 endforeach()
