@@ -5,6 +5,8 @@
 #include "batch/kernels.h"
 #include "core/order_check.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/blue_lookup.h"
+#include "wellstrat/sequence.h"
 #include "wellstrat/tables.h"
 
 #include <atomic>
@@ -29,6 +31,19 @@ const Kernels* kernelsAt(unsigned index) {
 
 /// The kernels of a draw do not write to the contexts when the step is 0.
 SampleCtx* readOnly(const SampleCtx* contexts) { return const_cast<SampleCtx*>(contexts); }
+
+/// All bits of the samples, by kBits of a point and its seed.
+template <auto kBits, typename Bits>
+void drawBlueBits(std::size_t n, const SampleCtx* contexts, Order order, Bits* bits) {
+    const bool inSlot = detail::hasSlot(order);
+    for (std::size_t i = 0; i < n; ++i) {
+        const SampleCtx sc = contexts[i];
+        const detail::BluePoint point =
+            inSlot ? detail::blueSlotPoint(sc.patternid, sc.sampleid, order.slot, order.splits)
+                   : detail::bluePoint(sc.patternid, sc.sampleid);
+        bits[i] = kBits(point.digits, point.seed);
+    }
+}
 
 } // namespace
 
@@ -125,6 +140,33 @@ void drawBlueSamples2D(std::size_t n, const SampleCtx* contexts, Order order, Fl
 void drawBlueSamples3D(std::size_t n, const SampleCtx* contexts, Order order, Float3* xis) {
     detail::hasSlot(order);
     if (n > 0) chosenKernels().drawBlue3D(n, contexts, order.slot, order.splits, xis);
+}
+
+void drawSequenceBits1D(std::size_t n, const SampleCtx* contexts, Order order, uint32_t* bits) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawSequenceBits1D(n, contexts, order.slot, order.splits, bits);
+}
+
+void drawSequenceBits2D(std::size_t n, const SampleCtx* contexts, Order order, Bits2* bits) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawSequenceBits2D(n, contexts, order.slot, order.splits, bits);
+}
+
+void drawSequenceBits3D(std::size_t n, const SampleCtx* contexts, Order order, Bits3* bits) {
+    detail::hasSlot(order);
+    if (n > 0) chosenKernels().drawSequenceBits3D(n, contexts, order.slot, order.splits, bits);
+}
+
+void drawBlueBits1D(std::size_t n, const SampleCtx* contexts, Order order, uint32_t* bits) {
+    drawBlueBits<scrambledBitsZ>(n, contexts, order, bits);
+}
+
+void drawBlueBits2D(std::size_t n, const SampleCtx* contexts, Order order, Bits2* bits) {
+    drawBlueBits<scrambledBitsXY>(n, contexts, order, bits);
+}
+
+void drawBlueBits3D(std::size_t n, const SampleCtx* contexts, Order order, Bits3* bits) {
+    drawBlueBits<scrambledBitsXYZ>(n, contexts, order, bits);
 }
 
 void newDomains(std::size_t n, const SampleCtx* parents, Scramble scramble, SampleCtx* children) {
