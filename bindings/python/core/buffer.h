@@ -19,8 +19,8 @@ template <typename T>
 class Buffer {
 public:
     explicit Buffer(const pybind11::object& array) {
-        const int flags = std::is_const_v<T> ? PyBUF_C_CONTIGUOUS
-                                             : PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE;
+        const int flags =
+            std::is_const_v<T> ? PyBUF_C_CONTIGUOUS : PyBUF_C_CONTIGUOUS | PyBUF_WRITABLE;
         if (PyObject_GetBuffer(array.ptr(), &view_, flags) != 0) {
             throw pybind11::error_already_set();
         }

@@ -41,8 +41,8 @@ void watchForExit() {
     using pybind11::cpp_function;
     using pybind11::module_;
     module_::import("atexit").attr("register")(cpp_function(waitForThreads));
-    module_::import("os").attr("register_at_fork")(
-        pybind11::arg("after_in_child") = cpp_function(forgetThreads));
+    module_::import("os").attr("register_at_fork")(pybind11::arg("after_in_child") =
+                                                       cpp_function(forgetThreads));
 }
 
 } // namespace python

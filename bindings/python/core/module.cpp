@@ -6,7 +6,9 @@
 #include "buffer.h"
 #include "draw.h"
 #include "gil.h"
+#include "map.h"
 
+#include "RixShadingUtils.h"
 #include "wellstrat/batch.h"
 #include "wellstrat/batch_target.h"
 #include "wellstrat/blue_domain.h"
@@ -46,11 +48,11 @@ void drawContexts(const py::object& contexts, Generator generator, unsigned dims
 
 template <typename Real>
 void drawRuns(const py::object& patterns, std::size_t count, uint32_t first, Generator generator,
-              unsigned dims, double offset, const py::object& out) {
+              unsigned dims, unsigned slot, double offset, const py::object& out) {
     const Buffer<const uint32_t> ids(patterns);
     const Buffer<Real> xis(out);
     xis.expect(ids.size() * count * dims);
-    const Drawing drawing = makeDrawing(generator, dims, wellstrat::kJointSlots, 1, offset);
+    const Drawing drawing = makeDrawing(generator, dims, slot, 1, offset);
     computeUnlocked(ids.size() * count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end;) { // some of each pattern
             const std::size_t sample = i % count;
@@ -112,6 +114,41 @@ void hashToRandom(const py::object& contexts, const py::object& out) {
     });
 }
 
+/// xis[i] is remapped in place; indices[i] is what its row of weights chose, with probability
+/// probabilities[i]. One row for all, or one for each.
+void chooseAndRemap(const py::object& samples, const py::object& weights, unsigned choices,
+                    const py::object& indices, const py::object& probabilities) {
+    const Buffer<float> xis(samples);
+    const Buffer<const float> rows(weights);
+    const Buffer<int64_t> chosen(indices);
+    const Buffer<float> probability(probabilities);
+    const std::size_t stride = rows.size() == choices ? 0 : choices;
+    rows.expect(stride == 0 ? choices : choices * xis.size());
+    chosen.expect(xis.size());
+    probability.expect(xis.size());
+    computeUnlocked(xis.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            chosen.data()[i] = RixChooseAndRemap(xis.data()[i], rows.data() + i * stride, choices,
+                                                 probability.data() + i);
+        }
+    });
+}
+
+void applyMap(const char* name, const py::object& in, const py::object& out) {
+    const Map* const map = findMap(name);
+    if (map == nullptr) throw std::invalid_argument("no map of this name");
+    const Buffer<const float> rows(in);
+    const Buffer<float> results(out);
+    const std::size_t n = rows.size() / map->inputs;
+    rows.expect(n * map->inputs);
+    results.expect(n * map->outputs);
+    computeUnlocked(n, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            map->apply(rows.data() + i * map->inputs, results.data() + i * map->outputs);
+        }
+    });
+}
+
 unsigned jointScramble(unsigned slot) {
     return static_cast<unsigned>(wellstrat::jointScramble(slot));
 }
@@ -144,6 +181,8 @@ PYBIND11_MODULE(_core, m) {
     m.def("new_domain_distrib",
           deriveDomains<wellstrat::newDomainsDistrib, wellstrat::newBlueDomainsDistrib>);
     m.def("hash_to_random", hashToRandom);
+    m.def("choose_and_remap", chooseAndRemap);
+    m.def("apply_map", applyMap);
     m.def("joint_scramble", jointScramble);
 
     watchForExit();

@@ -55,6 +55,26 @@ def words(values: Any, name: str) -> npt.NDArray[np.uint32]:
     return array.astype(np.uint32)
 
 
+def floats(values: Any, name: str) -> npt.NDArray[Any]:
+    """`values`, numbers of any shape, as float32 or float64."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "iuf":
+        raise TypeError(f"{name} must be real numbers, not {array.dtype}")
+    return array if array.dtype in (np.float32, np.float64) else array.astype(np.float64)
+
+
+def unit_floats(values: Any, name: str) -> npt.NDArray[np.float32]:
+    """`values` in [0, 1) as float32 in C order, cut to 24 bits as samples of this type are, so that
+    none becomes 1."""
+    array = floats(values, name)
+    inside = (array >= 0) & (array < 1)
+    if not inside.all():
+        raise ValueError(f"{name} must be in [0, 1), not {array[~inside].flat[0]}")
+    if array.dtype == np.float64:
+        array = np.floor(array * 2**24) * 2.0**-24
+    return np.asarray(array, np.float32, order="C")
+
+
 def contexts_of(values: Any, name: str = "contexts") -> npt.NDArray[np.void]:
     """`values` as an array of contexts in C order."""
     array = np.asarray(values, order="C")

@@ -48,8 +48,9 @@ def _pixels(width: Any, height: Any, origin: Any) -> tuple[int, int, int, int]:
         x, y = origin
     except (TypeError, ValueError):
         raise TypeError(f"origin must be a pair of integers, not {origin!r}") from None
-    return (columns, rows, integer(x, "origin", -_SIDE, _SIDE),
-            integer(y, "origin", -_SIDE, _SIDE))
+    everything = 2**63
+    return (columns, rows, integer(x, "origin", -everything, everything) % _SIDE,
+            integer(y, "origin", -everything, everything) % _SIDE)
 
 
 def camera_contexts(width: int, height: int, frame: int = 0, sampleid: int = 0, *, seed: int = 0,

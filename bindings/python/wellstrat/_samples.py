@@ -77,7 +77,7 @@ def samples(pattern: npt.ArrayLike, count: int, first: int = 0, dims: int = 2,
     kind = generator_of(generator)
     output = Output(ids.shape + (number, coordinates), dtype, out, source=ids)
     fill = _core.samples_float64 if output.is_double else _core.samples_float32
-    fill(ids, number, start, kind, coordinates, 0.0, output.buffer)
+    fill(ids, number, start, kind, coordinates, _core.slots, 0.0, output.buffer)
     return output.filled()
 
 
