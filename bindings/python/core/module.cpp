@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The compiled part of the Python package: loops over contiguous arrays. The package around it
-// (bindings/python/wellstrat) checks arguments, makes arrays and documents.
+// (bindings/python/src/wellstrat) checks arguments, makes arrays and documents.
 
 #include "buffer.h"
 #include "draw.h"

@@ -6,7 +6,7 @@ import numpy.typing as npt
 
 import wellstrat
 
-xy: npt.NDArray[np.float32] = wellstrat.samples(1, 4)
+xy: npt.NDArray[np.float32] = wellstrat.samples(1, np.int64(4))
 drawn: npt.NDArray[np.float64] = wellstrat.draw(wellstrat.contexts(1, [0, 1]), dtype=np.float64)
 scramble: int = wellstrat.joint_scramble(0)
 version: str = wellstrat.__version__

@@ -9,10 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import WORDS, Output, contexts_of, generator_of, integer, words
+from ._arguments import WORDS, Int, Output, contexts_of, generator_of, integer, words
 
 
-def samples(pattern: npt.ArrayLike, count: int, first: int = 0, dims: int = 2,
+def samples(pattern: npt.ArrayLike, count: Int, first: Int = 0, dims: Int = 2,
             generator: str = "pmj", *, dtype: npt.DTypeLike = np.float32,
             out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
     """Consecutive samples of a pattern, or of each of several.
@@ -71,8 +71,8 @@ def samples(pattern: npt.ArrayLike, count: int, first: int = 0, dims: int = 2,
     start = integer(first, "first", 0, WORDS)
     number = integer(count, "count", 0, WORDS + 1)
     if start + number > WORDS:
-        raise ValueError(f"first + count must be at most 2**32, not {start + number}: a pattern has "
-                         "2**32 samples")
+        raise ValueError(f"first + count must be at most 2**32, the samples of a pattern, not "
+                         f"{start + number}")
     coordinates = integer(dims, "dims", 1, 4)
     kind = generator_of(generator)
     output = Output(ids.shape + (number, coordinates), dtype, out, source=ids)
@@ -81,8 +81,8 @@ def samples(pattern: npt.ArrayLike, count: int, first: int = 0, dims: int = 2,
     return output.filled()
 
 
-def draw(contexts: npt.NDArray[np.void], dims: int = 2, generator: str = "pmj",
-         slot: int | None = None, *, splits: int = 1, dtype: npt.DTypeLike = np.float32,
+def draw(contexts: npt.NDArray[np.void], dims: Int = 2, generator: str = "pmj",
+         slot: Int | None = None, *, splits: Int = 1, dtype: npt.DTypeLike = np.float32,
          out: npt.NDArray[Any] | None = None) -> npt.NDArray[Any]:
     """The sample of each context.
 

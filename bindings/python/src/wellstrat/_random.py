@@ -30,7 +30,7 @@ def hash_to_random(a: npt.ArrayLike, b: npt.ArrayLike) -> npt.NDArray[np.float32
     Examples
     --------
     >>> import wellstrat
-    >>> wellstrat.hash_to_random(1, range(1000)).mean().round(1)
+    >>> round(float(wellstrat.hash_to_random(1, range(1000)).mean()), 1)
     0.5
     """
     source = contexts(a, b)

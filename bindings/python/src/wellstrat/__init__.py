@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Well-stratified samples for renderers and integration, the same bits as in C++.
 
-`samples` draws from one pattern, `draw` from any contexts; `camera_contexts` and `blue_contexts` are
-where contexts of pictures begin. `wellstrat.warp` maps samples to shapes and directions,
+`samples` draws from one pattern, `draw` from any contexts; those of pictures begin at
+`camera_contexts` and `blue_contexts`. `wellstrat.warp` maps samples to shapes and directions,
 `wellstrat.qmc` has engines for SciPy. Submodules load at first use.
 
 All functions are safe in several threads at once, and let other threads run while they compute.

@@ -20,8 +20,8 @@ from ._contexts import blue_contexts, contexts, joint_scramble, new_domain
 try:
     from scipy.stats.qmc import QMCEngine
 except ImportError as error:
-    raise ImportError("wellstrat.qmc needs SciPy 1.10 or newer: install python3-scipy of Debian, or "
-                      "scipy by pip") from error
+    raise ImportError("wellstrat.qmc needs SciPy 1.10 or newer: install python3-scipy of Debian, "
+                      "or scipy by pip") from error
 
 __all__ = ["Blue", "OwenSobol", "PMJ"]
 
@@ -128,10 +128,10 @@ class OwenSobol(_Engine):
     Parameters
     ----------
     d : int
-        Dimensions. Up to 3 are one domain: any ``2**m`` samples from a multiple of ``2**m`` on are a
-        (0, m, 2)-net in the first two dimensions and a (1, m, 3)-net in three. More are pairs of
-        dimensions, each such a net; 16 pairs are stratified together as far as is known how, and
-        from dimension 33 on further groups of 16 pairs are combined at random.
+        Dimensions. Up to 3 are one domain: any ``2**m`` samples from a multiple of ``2**m`` on are
+        a (0, m, 2)-net in the first two dimensions and a (1, m, 3)-net in three. More are pairs of
+        dimensions, each a (0, m, 2)-net. 16 pairs are slots, which are stratified together;
+        further groups of 16, from dimension 33 on, are combined with them at random.
     seed : {None, int, `numpy.random.Generator`}, optional
         Which of ``2**32`` sequences; None is another one each time. A Generator gives one number.
     rng
@@ -141,8 +141,8 @@ class OwenSobol(_Engine):
 
     Notes
     -----
-    Samples are (v + 1/2) / ``2**32``, those of `wellstrat.samples` moved to the middle of their last
-    digit: none is 0 or 1, so that inverses of distributions are finite, and no mean is moved.
+    Samples are (v + 1/2) / ``2**32``, those of `wellstrat.samples` moved to the middle of their
+    last digit: none is 0 or 1, so that inverses of distributions are finite, and no mean is moved.
 
     Examples
     --------
@@ -188,8 +188,8 @@ class Blue(_Engine):
     """The sequence of one pixel of a picture, of which neighboring pixels know.
 
     Engines of the same seed for all pixels of a picture give integrals whose errors cancel between
-    neighbors: blurred, or seen from a distance, the picture of them has less noise. Each engine is as
-    good as `OwenSobol` by itself.
+    neighbors: blurred, or seen from a distance, the picture of them has less noise. Each engine is
+    as good as `OwenSobol` by itself.
 
     Parameters
     ----------

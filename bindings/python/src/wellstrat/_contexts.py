@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import context_dtype, contexts_of, integer, is_blue, word, words
+from ._arguments import Int, context_dtype, contexts_of, integer, is_blue, word, words
 
 _SIDE = 2**16
 
@@ -53,8 +53,8 @@ def _pixels(width: Any, height: Any, origin: Any) -> tuple[int, int, int, int]:
             integer(y, "origin", -everything, everything) % _SIDE)
 
 
-def camera_contexts(width: int, height: int, frame: int = 0, sampleid: int = 0, *, seed: int = 0,
-                    origin: tuple[int, int] = (0, 0)) -> npt.NDArray[np.void]:
+def camera_contexts(width: Int, height: Int, frame: Int = 0, sampleid: Int = 0, *, seed: Int = 0,
+                    origin: tuple[Int, Int] = (0, 0)) -> npt.NDArray[np.void]:
     """The context of one sample of every pixel of a picture.
 
     Parameters
@@ -90,8 +90,8 @@ def camera_contexts(width: int, height: int, frame: int = 0, sampleid: int = 0, 
     return result
 
 
-def blue_contexts(width: int, height: int, seed: int = 0, sampleid: int = 0, *,
-                  origin: tuple[int, int] = (0, 0)) -> npt.NDArray[np.void]:
+def blue_contexts(width: Int, height: Int, seed: Int = 0, sampleid: Int = 0, *,
+                  origin: tuple[Int, Int] = (0, 0)) -> npt.NDArray[np.void]:
     """The same for the generator ``"blue"``, whose pixels know of each other.
 
     Parameters
@@ -122,7 +122,7 @@ def blue_contexts(width: int, height: int, seed: int = 0, sampleid: int = 0, *,
     return result
 
 
-def new_domain(parents: npt.NDArray[np.void], scramble: int, *,
+def new_domain(parents: npt.NDArray[np.void], scramble: Int, *,
                generator: str = "pmj") -> npt.NDArray[np.void]:
     """The contexts of a new domain, such as a lens or a light, that has samples of its own.
 
@@ -154,7 +154,7 @@ def new_domain(parents: npt.NDArray[np.void], scramble: int, *,
     return new_domain_split(parents, scramble, 1, generator=generator)
 
 
-def new_domain_split(parents: npt.NDArray[np.void], scramble: int, newnumsamples: int, *,
+def new_domain_split(parents: npt.NDArray[np.void], scramble: Int, newnumsamples: Int, *,
                      generator: str = "pmj") -> npt.NDArray[np.void]:
     """The contexts of a new domain of which each visit takes the same number of samples.
 
@@ -184,7 +184,7 @@ def new_domain_split(parents: npt.NDArray[np.void], scramble: int, newnumsamples
     return result
 
 
-def new_domain_distrib(parents: npt.NDArray[np.void], scramble: int, newsampleid: int = 0, *,
+def new_domain_distrib(parents: npt.NDArray[np.void], scramble: Int, newsampleid: Int = 0, *,
                        generator: str = "pmj") -> npt.NDArray[np.void]:
     """The contexts of a new domain of each single sample, for any number of samples.
 
@@ -214,7 +214,7 @@ def new_domain_distrib(parents: npt.NDArray[np.void], scramble: int, newsampleid
     return result
 
 
-def joint_scramble(slot: int) -> int:
+def joint_scramble(slot: Int) -> int:
     """The scramble of a domain that is stratified together with those of the other slots.
 
     Parameters

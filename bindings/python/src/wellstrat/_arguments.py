@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import operator
-from typing import Any
+from typing import Any, SupportsIndex
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _core
+
+#: Integers of Python and of NumPy.
+Int = SupportsIndex
 
 WORDS = 2**32
 
@@ -99,8 +102,8 @@ def is_blue(generator: Any) -> bool:
 class Output:
     """The array that a function returns: `out`, or a new one of this shape and type.
 
-    `buffer` is what to fill, of the same shape and in C order. It is another array where `out` is in
-    another order or shares memory with `source`; `filled` then copies.
+    `buffer` is what to fill, of the same shape and in C order. It is another array where `out` is
+    in another order or shares memory with `source`; `filled` then copies.
     """
 
     def __init__(self, shape: tuple[int, ...], dtype: Any, out: Any = None,

@@ -18,11 +18,11 @@ map                                density                     on
 
 Each map has an inverse with the words the other way round, such as `disk_to_square_polar`.
 
-Samples `xi` are in [0, 1)^2, of shape (..., 2), and are cut to 24 bits; points and directions are of
-shape (..., 2) or (..., 3). Parameters may be arrays; all shapes broadcast. Results are float32. Shapes
-have radius 1 and stand around the z axis, directions have length 1. Maps are bijections up to their
-seams, so strata of samples become strata of equal probability. Densities are per unit area or solid
-angle, of points on the shape. wellstrat/warp.h has the sources and more.
+Samples `xi` are in [0, 1)^2, of shape (..., 2), and are cut to 24 bits; points and directions are
+of shape (..., 2) or (..., 3). Parameters may be arrays; all shapes broadcast. Results are float32.
+Shapes have radius 1 and stand around the z axis, directions have length 1. Maps are bijections up
+to their seams, so strata of samples become strata of equal probability. Densities are per unit area
+or solid angle, of points on the shape. wellstrat/warp.h has the sources and more.
 
 Examples
 --------
@@ -137,7 +137,7 @@ def disk_pdf() -> float:
 
 
 def square_to_triangle(xi: npt.ArrayLike) -> Floats:
-    """Weights of the first two corners of a triangle; that of the third is 1 - x - y. Heitz 2019."""
+    """Weights of the first two corners of a triangle; the third has 1 - x - y. Heitz 2019."""
     return _apply("square_to_triangle", 2, _samples(xi))
 
 
@@ -254,8 +254,8 @@ def square_to_ggx_visible_normal(xi: npt.ArrayLike, view: npt.ArrayLike, alpha_x
                   _alpha(alpha_x, "alpha_x"), _alpha(alpha_y, "alpha_y"))
 
 
-def ggx_visible_normal_to_square(normals: npt.ArrayLike, view: npt.ArrayLike, alpha_x: npt.ArrayLike,
-                                 alpha_y: npt.ArrayLike) -> Floats:
+def ggx_visible_normal_to_square(normals: npt.ArrayLike, view: npt.ArrayLike,
+                                 alpha_x: npt.ArrayLike, alpha_y: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_ggx_visible_normal`, of normals that `view` sees."""
     return _apply("ggx_visible_normal_to_square", 2, _vectors(normals, 3, "normals"), _view(view),
                   _alpha(alpha_x, "alpha_x"), _alpha(alpha_y, "alpha_y"))
