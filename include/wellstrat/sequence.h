@@ -144,6 +144,19 @@ WELLSTRAT_HOST_DEVICE inline Float3 scrambledSampleXYZ(PointDigits point, uint32
     return {xy.x, xy.y, scrambledSampleZ(point, seed)};
 }
 
+/// The same bits themselves, as fractions of 2^32.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t scrambledBitsZ(PointDigits point, uint32_t seed) {
+    return scrambledBits(point.z, seed, Coordinate::z);
+}
+WELLSTRAT_HOST_DEVICE constexpr Bits2 scrambledBitsXY(PointDigits point, uint32_t seed) {
+    return {scrambledBits(point.x, seed, Coordinate::x),
+            scrambledBits(point.y, seed, Coordinate::y)};
+}
+WELLSTRAT_HOST_DEVICE constexpr Bits3 scrambledBitsXYZ(PointDigits point, uint32_t seed) {
+    const Bits2 xy = scrambledBitsXY(point, seed);
+    return {xy.x, xy.y, scrambledBitsZ(point, seed)};
+}
+
 /// The index of the point of sample `sampleid` of a pattern with this seed: its nested shuffle, by
 /// exclusive or with a constant that keeps the first 2^16 samples below 2^16. Under Owen's
 /// scrambling that changes nothing but what these cost.

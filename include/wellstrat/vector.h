@@ -8,6 +8,7 @@
 
 #include "wellstrat/platform.h"
 
+#include <cstdint>
 #include <type_traits>
 
 // <cmath> is 20,000 lines, most of what including RixRNG.h would cost, so it is left out where the
@@ -37,6 +38,15 @@ WELLSTRAT_HOST_DEVICE inline float copySign(float magnitude, float sign) {
 } // namespace detail
 
 #undef WELLSTRAT_BUILTIN_MATH
+
+/// Two and three coordinates of a sample as fractions of 2^32: the upper 24 bits of each are its
+/// float. Not initialized by default.
+struct Bits2 {
+    uint32_t x, y;
+};
+struct Bits3 {
+    uint32_t x, y, z;
+};
 
 /// A 2D sample or point. Not initialized by default: arrays of it cost nothing.
 struct Float2 {

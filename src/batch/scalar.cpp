@@ -39,6 +39,19 @@ void drawComputed(std::size_t n, const SampleCtx* contexts, unsigned slot, unsig
     }
 }
 
+/// All bits of the samples, by kBits of a point and its seed.
+template <auto kBits, typename Bits>
+void drawSequenceBits(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                      Bits* bits) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const uint32_t sampleid = contexts[i].sampleid;
+        const uint32_t seed = sequenceSeed(contexts[i].patternid);
+        bits[i] = kBits(slot == kJointSlots ? sequencePoint(seed, sampleid)
+                                            : slotDigits(seed, sampleid, slot, split),
+                        seed);
+    }
+}
+
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                      unsigned newnumsamples, SampleCtx* children) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -90,6 +103,9 @@ const Kernels kScalarKernels = {
     drawComputed<sequenceSample1D, jointSequenceSample1D>,
     drawComputed<sequenceSample2D, jointSequenceSample2D>,
     drawComputed<sequenceSample3D, jointSequenceSample3D>,
+    drawSequenceBits<scrambledBitsZ>,
+    drawSequenceBits<scrambledBitsXY>,
+    drawSequenceBits<scrambledBitsXYZ>,
     drawComputed<blueSample1D, blueSlotSample1D>,
     drawComputed<blueSample2D, blueSlotSample2D>,
     drawComputed<blueSample3D, blueSlotSample3D>,
