@@ -30,21 +30,21 @@ class CMakeBuild(build_ext):
     def build_extension(self, ext):
         build = pathlib.Path(self.build_temp).resolve()
         module = pathlib.Path(self.get_ext_fullpath(ext.name)).resolve()
-        environment = dict(os.environ)
-        flags = [environment.get(name, "") for name in ("CXXFLAGS", "CPPFLAGS")]
-        environment["CXXFLAGS"] = " ".join(filter(None, flags))
-        self.cmake(environment, "-S", ROOT, "-B", build,
+        flags = " ".join(os.environ.get(name, "") for name in ("CXXFLAGS", "CPPFLAGS"))
+        self.cmake("-S", ROOT, "-B", build,
                    "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_SHARED_LIBS=OFF",
                    "-DWELLSTRAT_BUILD_PYTHON=ON", "-DWELLSTRAT_INSTALL=OFF",
+                   f"-DCMAKE_CXX_FLAGS={flags.strip()}",
+                   f"-DCMAKE_MODULE_LINKER_FLAGS={os.environ.get('LDFLAGS', '')}",
                    f"-DPython_EXECUTABLE={sys.executable}",
                    f"-DCMAKE_LIBRARY_OUTPUT_DIRECTORY={module.parent}")
-        self.cmake(environment, "--build", build, "--target", "wellstrat_python",
+        self.cmake("--build", build, "--target", "wellstrat_python",
                    "--parallel", str(len(os.sched_getaffinity(0))))
 
-    def cmake(self, environment, *arguments):
+    def cmake(self, *arguments):
         command = ["cmake", *map(str, arguments)]
         print(*command, flush=True)
-        subprocess.run(command, check=True, env=environment)
+        subprocess.run(command, check=True)
 
 
 class NoSdist(sdist):

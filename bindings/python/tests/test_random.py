@@ -50,9 +50,10 @@ def test_double_samples_never_become_one():
     ([0.5, np.nan], [1], r"xi must be in \[0, 1\), not nan"),
     ([1.0], [1], r"xi must be in \[0, 1\), not 1.0"),
     ([0.5], [1, np.nan], "weights must be finite"),
-    ([0.5], [1, -1], "weights must be finite"),
-    ([0.5], [0, 0], "weights must be finite, at least 0, and not all 0"),
-    ([0.5], [], "weights must be finite, at least 0, and not all 0"),
+    ([0.5], [1, 1e300], "weights must be finite in float32, not 1e[+]300"),
+    ([0.5], [1, -1], "weights must be at least 0, and not all 0"),
+    ([0.5], [0, 0], "weights must be at least 0, and not all 0"),
+    ([0.5], [], "weights must be at least 0, and not all 0"),
     ([0.5], 1.0, "at least one dimension"),
     ([0.5], [[1, 1], [1, 1]], "broadcast"),
 ])

@@ -66,6 +66,24 @@ def floats(values: Any, name: str) -> npt.NDArray[Any]:
     return array if array.dtype in (np.float32, np.float64) else array.astype(np.float64)
 
 
+def finite(array: npt.NDArray[Any], name: str) -> npt.NDArray[np.float32]:
+    """`array` as float32, if all of it is finite there."""
+    with np.errstate(over="ignore"):
+        single = array.astype(np.float32, copy=False)
+    good = np.isfinite(single)
+    if not good.all():
+        raise ValueError(f"{name} must be finite in float32, not {array[~good].flat[0]}")
+    return single
+
+
+def vectors(values: Any, width: int, name: str) -> npt.NDArray[np.float32]:
+    """Finite vectors of `width` coordinates."""
+    array = floats(values, name)
+    if array.ndim == 0 or array.shape[-1] != width:
+        raise ValueError(f"{name} must be of shape (..., {width}), not {array.shape}")
+    return finite(array, name)
+
+
 def unit_floats(values: Any, name: str) -> npt.NDArray[np.float32]:
     """`values` in [0, 1) as float32 in C order, cut to 24 bits as samples of this type are, so that
     none becomes 1."""

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import unit_floats
+from ._arguments import finite, floats, unit_floats
 from ._contexts import contexts
 
 
@@ -94,9 +94,9 @@ def choose_and_remap(xi: npt.ArrayLike, weights: npt.ArrayLike) -> Choice:
 
 
 def _weights(values: Any) -> npt.NDArray[np.float32]:
-    rows = np.asarray(values, np.float32)
+    rows = finite(floats(values, "weights"), "weights")
     if rows.ndim == 0:
         raise ValueError("weights must have at least one dimension")
-    if not (np.isfinite(rows).all() and (rows >= 0).all() and (rows > 0).any(axis=-1).all()):
-        raise ValueError("weights must be finite, at least 0, and not all 0")
+    if not ((rows >= 0).all() and (rows > 0).any(axis=-1).all()):
+        raise ValueError("weights must be at least 0, and not all 0")
     return rows

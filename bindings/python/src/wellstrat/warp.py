@@ -46,36 +46,22 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import floats, unit_floats
+from ._arguments import finite, floats, unit_floats, vectors
 
 Floats = npt.NDArray[np.float32]
 
 
 def _samples(xi: Any) -> Floats:
     """Samples of the unit square."""
-    return _vectors(unit_floats(xi, "xi"), 2, "xi")
-
-
-def _vectors(values: Any, width: int, name: str) -> Floats:
-    """Finite vectors of `width` coordinates."""
-    array = floats(values, name)
-    if array.ndim == 0 or array.shape[-1] != width:
-        raise ValueError(f"{name} must be of shape (..., {width}), not {array.shape}")
-    return _finite(array, name)
+    return vectors(unit_floats(xi, "xi"), 2, "xi")
 
 
 def _parameter(values: Any, name: str, accepted: str, inside: Any) -> Floats:
     """A parameter for which inside(array) holds, with a last axis of one."""
-    array = _finite(floats(values, name), name)
+    array = finite(floats(values, name), name)
     if not inside(array).all():
         raise ValueError(f"{name} must be {accepted}, not {array[~inside(array)].flat[0]}")
     return array[..., np.newaxis]
-
-
-def _finite(array: npt.NDArray[Any], name: str) -> Floats:
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name} must be finite, not {array[~np.isfinite(array)].flat[0]}")
-    return array.astype(np.float32, copy=False)
 
 
 def _cos_theta_max(values: Any) -> Floats:
@@ -95,7 +81,7 @@ def _alpha(values: Any, name: str) -> Floats:
 
 
 def _view(values: Any) -> Floats:
-    view = _vectors(values, 3, "view")
+    view = vectors(values, 3, "view")
     if not ((view[..., 2] > 0) & (abs(np.linalg.norm(view, axis=-1) - 1) < 1e-3)).all():
         raise ValueError("view must have length 1 and z above 0")
     return view
@@ -118,7 +104,7 @@ def square_to_disk_polar(xi: npt.ArrayLike) -> Floats:
 
 def disk_to_square_polar(points: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_disk_polar`."""
-    return _apply("disk_to_square_polar", 2, _vectors(points, 2, "points"))
+    return _apply("disk_to_square_polar", 2, vectors(points, 2, "points"))
 
 
 def square_to_disk_concentric(xi: npt.ArrayLike) -> Floats:
@@ -128,7 +114,7 @@ def square_to_disk_concentric(xi: npt.ArrayLike) -> Floats:
 
 def disk_to_square_concentric(points: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_disk_concentric`."""
-    return _apply("disk_to_square_concentric", 2, _vectors(points, 2, "points"))
+    return _apply("disk_to_square_concentric", 2, vectors(points, 2, "points"))
 
 
 def disk_pdf() -> float:
@@ -143,7 +129,7 @@ def square_to_triangle(xi: npt.ArrayLike) -> Floats:
 
 def triangle_to_square(points: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_triangle`."""
-    return _apply("triangle_to_square", 2, _vectors(points, 2, "points"))
+    return _apply("triangle_to_square", 2, vectors(points, 2, "points"))
 
 
 def triangle_pdf() -> float:
@@ -158,7 +144,7 @@ def square_to_cylinder(xi: npt.ArrayLike) -> Floats:
 
 def cylinder_to_square(points: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_cylinder`."""
-    return _apply("cylinder_to_square", 2, _vectors(points, 3, "points"))
+    return _apply("cylinder_to_square", 2, vectors(points, 3, "points"))
 
 
 def cylinder_pdf() -> float:
@@ -173,7 +159,7 @@ def square_to_sphere(xi: npt.ArrayLike) -> Floats:
 
 def sphere_to_square(directions: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_sphere`."""
-    return _apply("sphere_to_square", 2, _vectors(directions, 3, "directions"))
+    return _apply("sphere_to_square", 2, vectors(directions, 3, "directions"))
 
 
 def sphere_pdf() -> float:
@@ -188,7 +174,7 @@ def square_to_hemisphere(xi: npt.ArrayLike) -> Floats:
 
 def hemisphere_to_square(directions: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_hemisphere`."""
-    return _apply("hemisphere_to_square", 2, _vectors(directions, 3, "directions"))
+    return _apply("hemisphere_to_square", 2, vectors(directions, 3, "directions"))
 
 
 def hemisphere_pdf() -> float:
@@ -197,13 +183,26 @@ def hemisphere_pdf() -> float:
 
 
 def square_to_cone(xi: npt.ArrayLike, cos_theta_max: npt.ArrayLike) -> Floats:
-    """Directions with z in (cos_theta_max, 1]; cos_theta_max in [-1, 1)."""
+    """Directions around the z axis.
+
+    Parameters
+    ----------
+    xi : array_like
+        Samples, of shape (..., 2).
+    cos_theta_max : array_like
+        The cosine of half the angle of the cone, in [-1, 1).
+
+    Returns
+    -------
+    ndarray of float32
+        Of shape (..., 3), with z in (cos_theta_max, 1].
+    """
     return _apply("square_to_cone", 3, _samples(xi), _cos_theta_max(cos_theta_max))
 
 
 def cone_to_square(directions: npt.ArrayLike, cos_theta_max: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_cone`."""
-    return _apply("cone_to_square", 2, _vectors(directions, 3, "directions"),
+    return _apply("cone_to_square", 2, vectors(directions, 3, "directions"),
                   _cos_theta_max(cos_theta_max))
 
 
@@ -219,7 +218,7 @@ def square_to_hemisphere_cosine(xi: npt.ArrayLike) -> Floats:
 
 def hemisphere_cosine_to_square(directions: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_hemisphere_cosine`."""
-    return _apply("hemisphere_cosine_to_square", 2, _vectors(directions, 3, "directions"))
+    return _apply("hemisphere_cosine_to_square", 2, vectors(directions, 3, "directions"))
 
 
 def hemisphere_cosine_pdf(cos_theta: npt.ArrayLike) -> Floats:
@@ -228,13 +227,26 @@ def hemisphere_cosine_pdf(cos_theta: npt.ArrayLike) -> Floats:
 
 
 def square_to_power_cosine(xi: npt.ArrayLike, exponent: npt.ArrayLike) -> Floats:
-    """Directions with probability proportional to z^exponent, exponent >= 0."""
+    """Directions with probability proportional to a power of their cosine.
+
+    Parameters
+    ----------
+    xi : array_like
+        Samples, of shape (..., 2).
+    exponent : array_like
+        Of z, at least 0: 0 gives the hemisphere, 1 the cosine.
+
+    Returns
+    -------
+    ndarray of float32
+        Of shape (..., 3), with z above 0.
+    """
     return _apply("square_to_power_cosine", 3, _samples(xi), _exponent(exponent))
 
 
 def power_cosine_to_square(directions: npt.ArrayLike, exponent: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_power_cosine`, of directions with z above 0."""
-    return _apply("power_cosine_to_square", 2, _vectors(directions, 3, "directions"),
+    return _apply("power_cosine_to_square", 2, vectors(directions, 3, "directions"),
                   _exponent(exponent))
 
 
@@ -245,10 +257,22 @@ def power_cosine_pdf(cos_theta: npt.ArrayLike, exponent: npt.ArrayLike) -> Float
 
 def square_to_ggx_visible_normal(xi: npt.ArrayLike, view: npt.ArrayLike, alpha_x: npt.ArrayLike,
                                  alpha_y: npt.ArrayLike) -> Floats:
-    """Microfacet normals, distributed as the GGX normals that `view` sees.
+    """Microfacet normals, distributed as the GGX normals that a viewer sees: Heitz 2018.
 
-    The roughness alpha is that of the distribution, above 0; `view` has length 1, points away from
-    the surface, and has z above 0. Heitz 2018, JCGT 7(4).
+    Parameters
+    ----------
+    xi : array_like
+        Samples, of shape (..., 2).
+    view : array_like
+        Directions to the viewer, of shape (..., 3): of length 1, with z above 0.
+    alpha_x, alpha_y : array_like
+        The roughness of the distribution along x and y, above 0.
+
+    Returns
+    -------
+    ndarray of float32
+        Of shape (..., 3), with z above 0. Reflecting `view` at a normal m gives a direction of the
+        density ``ggx_visible_normal_pdf(m, ...) / (4 m . view)``, which may lie below the surface.
     """
     return _apply("square_to_ggx_visible_normal", 3, _samples(xi), _view(view),
                   _alpha(alpha_x, "alpha_x"), _alpha(alpha_y, "alpha_y"))
@@ -257,12 +281,12 @@ def square_to_ggx_visible_normal(xi: npt.ArrayLike, view: npt.ArrayLike, alpha_x
 def ggx_visible_normal_to_square(normals: npt.ArrayLike, view: npt.ArrayLike,
                                  alpha_x: npt.ArrayLike, alpha_y: npt.ArrayLike) -> Floats:
     """The inverse of `square_to_ggx_visible_normal`, of normals that `view` sees."""
-    return _apply("ggx_visible_normal_to_square", 2, _vectors(normals, 3, "normals"), _view(view),
+    return _apply("ggx_visible_normal_to_square", 2, vectors(normals, 3, "normals"), _view(view),
                   _alpha(alpha_x, "alpha_x"), _alpha(alpha_y, "alpha_y"))
 
 
 def ggx_visible_normal_pdf(normals: npt.ArrayLike, view: npt.ArrayLike, alpha_x: npt.ArrayLike,
                            alpha_y: npt.ArrayLike) -> Floats:
     """The density of the normals, per unit solid angle; 0 of those that `view` does not see."""
-    return _apply("ggx_visible_normal_pdf", 1, _vectors(normals, 3, "normals"), _view(view),
+    return _apply("ggx_visible_normal_pdf", 1, vectors(normals, 3, "normals"), _view(view),
                   _alpha(alpha_x, "alpha_x"), _alpha(alpha_y, "alpha_y"))[..., 0]
