@@ -71,6 +71,15 @@ def nvcc_cubin(folder):
     return path, said
 
 
+def hipcc_object(folder):
+    """The object file that hipcc makes for AMD's GPUs, by HIP's own headers."""
+    path = folder / "hipcc.o"
+    run(program("hipcc"), "-x", "hip", *COMMON, f"--offload-arch={AMD}", "-include",
+        "hip/hip_runtime.h", "-Wall", "-Wextra", "-Werror", "-Wno-unused-command-line-argument",
+        "-c", "-o", path, KERNELS)
+    return path
+
+
 def ptx_code(path):
     """Code by kernel, of a file of PTX."""
     code = {}

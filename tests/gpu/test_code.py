@@ -60,6 +60,10 @@ class CodeTest(unittest.TestCase):
         self.assertLessEqual(LIMITS.keys(), device_code.amd_code(assembly).keys())
         self.assertIn("v_bfrev_b32", assembly.read_text(), "the instruction that reverses bits")
 
+    def test_amd_by_hipcc(self):
+        self.require("hipcc")
+        self.assertIn(b"table_2d", device_code.hipcc_object(self.folder).read_bytes())
+
     def test_sass_by_nvcc(self):
         self.require("nvcc")
         code = device_code.sass_code(*device_code.nvcc_cubin(self.folder))
