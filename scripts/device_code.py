@@ -12,7 +12,7 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 KERNELS = ROOT / "tests/gpu/kernels.cu"
 SHIM = ROOT / "tests/gpu/toolkit_shim.h"
-CXX = ["-std=c++17", f"-I{ROOT / 'include'}"]
+CXX = ["-std=c++17", f"-I{ROOT / 'include'}", f"-I{ROOT}"]
 COMMON = [*CXX, "-O3"]
 WITHOUT_TOOLKIT = ["--cuda-device-only", "-S", "-Wall", "-Wextra", "-Werror", "-include", SHIM]
 NVIDIA, AMD = "sm_90", "gfx90a"

@@ -6,6 +6,7 @@
 
 #include "RixRNGInline.h"
 #include "RixShadingUtils.h"
+#include "examples/gpu/pixel.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/device_tables.h"
 
@@ -126,6 +127,12 @@ __global__ void random_2d(unsigned sampleid, Float2* out) {
 __global__ void distribution(unsigned sampleid, SampleCtx* out, SampleCtx* blueOut) {
     mine(out) = light(sampleid).NewDomainDistrib(kLight, 0);
     mine(blueOut) = newBlueDomainDistrib(blueLight(sampleid), kLight, 0);
+}
+
+/// A small integrator.
+__global__ void area_light_pixel(const DeviceTables* tables, unsigned samples, Float3* out) {
+    const Place p = place();
+    mine(out) = area_light::renderPixel(tables->words, 256, p.x, p.y, samples);
 }
 
 /// The rest of what a kernel may call.
