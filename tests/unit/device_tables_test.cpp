@@ -37,6 +37,25 @@ TEST(DeviceTables, GiveTheSamplesOfTheHost) {
     }
 }
 
+// So no draw looks up anything of the host's behind its back.
+TEST(DeviceTables, OtherOrdersGiveOtherSamples) {
+    const auto t = wholeBlock();
+    std::memset(static_cast<void*>(&t->jointOrders), 0, sizeof t->jointOrders);
+    std::memset(static_cast<void*>(&t->slotOrders), 0, sizeof t->slotOrders);
+    std::memset(static_cast<void*>(&t->blueTables), 0, sizeof t->blueTables);
+    for (const unsigned split : {1u, 3u}) {
+        EXPECT_NE(jointSample3D(t->words, t->jointOrders, 1, 9, 2, split),
+                  jointSample3D(tables(), 1, 9, 2, split));
+        EXPECT_NE(jointSequenceSample3D(t->slotOrders, 1, 9, 2, split),
+                  jointSequenceSample3D(1, 9, 2, split));
+        EXPECT_NE(blueSlotSample3D(detail::kBlueTables, t->slotOrders, 1, 9, 2, split),
+                  blueSlotSample3D(1, 9, 2, split));
+    }
+    EXPECT_NE(blueSample3D(t->blueTables, 1, 9), blueSample3D(1, 9));
+    EXPECT_NE(blueSlotSample3D(t->blueTables, detail::kSlotOrders, 1, 9, 2, 1),
+              blueSlotSample3D(1, 9, 2, 1));
+}
+
 TEST(DeviceTables, PartsAreTheBeginningOfAllAndWriteNothingBehindIt) {
     const auto whole = wholeBlock();
     for (const DeviceDraws draws : kAllDraws) {
