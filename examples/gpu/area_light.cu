@@ -2,11 +2,11 @@
 //
 // area_light FILE.ppm [SAMPLES]: renders the picture of ../area_light on the first GPU, 256 x 256
 // pixels, and writes it. Then it renders it on the CPU by the same function, and says how many
-// pixels of 8 bits differ. Their samples are the same bits; sines and cosines of CUDA are not those
-// of the C library, and nvcc fuses multiplications and additions, so that now and then the last bit
-// of a pixel is another.
+// numbers of 8 bits differ. The samples are the same bits. What is computed of them by floats is
+// not quite: CUDA has sines and cosines of its own, and nvcc fuses multiplications and additions.
+// So some numbers are rounded to a neighbor, and now and then a ray just misses what it hit.
 //
-// Exit code 0, 1 if a pixel differs by more than one step, 2 if it cannot be tried. With HIP, the
+// Exit code 0, 1 if more than one number in 1000 differs, 2 if it cannot be tried. With HIP, the
 // calls begin with hip instead of cuda.
 
 #include "../area_light/srgb.h"
@@ -15,6 +15,7 @@
 
 #include <cuda_runtime.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -105,7 +106,7 @@ int run(const std::string& path, unsigned samples) {
     }
     std::printf("%u of %zu numbers of 8 bits differ from the CPU's, by %d at most\n", differing,
                 gpu.size(), most);
-    return most <= 1 ? 0 : 1;
+    return differing <= gpu.size() / 1000 ? 0 : 1;
 }
 
 } // namespace
