@@ -47,19 +47,19 @@ def run(*command):
     return done.stdout
 
 
-def clang_ptx(folder):
+def clang_ptx(folder, source=KERNELS):
     """The file of PTX that clang 16 makes, without CUDA's headers."""
     path = folder / "clang.ptx"
     run(program("clang++-16"), "-x", "cuda", *COMMON, *WITHOUT_TOOLKIT, "-nocudainc", "-nocudalib",
-        f"--cuda-path={folder}", f"--cuda-gpu-arch={NVIDIA}", "-o", path, KERNELS)
+        f"--cuda-path={folder}", f"--cuda-gpu-arch={NVIDIA}", "-o", path, source)
     return path
 
 
-def clang_amd(folder):
+def clang_amd(folder, source=KERNELS):
     """The file of AMD's assembly that clang 16 makes, without HIP's headers."""
     path = folder / "clang.s"
     run(program("clang++-16"), "-x", "hip", *COMMON, *WITHOUT_TOOLKIT, "-nogpuinc", "-nogpulib",
-        f"--offload-arch={AMD}", "-o", path, KERNELS)
+        f"--offload-arch={AMD}", "-o", path, source)
     return path
 
 

@@ -87,16 +87,23 @@ class CodeTest(unittest.TestCase):
         files = (root / f"tests/golden/{name}.txt" for name in ("samples", "joint", "long", "blue"))
         self.assertIn("\nall agree", device_code.run(program, "18", *files))
 
-    def test_a_warning_is_an_error(self):
-        """That these compilers see the code at all, and that it is without a warning."""
+    def test_all_headers_compile_in_device_code(self):
         self.require("clang++-16")
-        kernels = self.folder / "kernels.cu"
-        kernels.write_text(device_code.KERNELS.read_text() + "__device__ int f(int unused) {}\n")
-        original, device_code.KERNELS = device_code.KERNELS, kernels
-        self.addCleanup(setattr, device_code, "KERNELS", original)
+        include = device_code.ROOT / "include"
+        headers = (path.relative_to(include) for path in sorted(include.rglob("*.h")))
+        source = self.folder / "headers.cu"
+        source.write_text("".join(f'#include "{header}"\n' for header in headers
+                                  if "analysis" not in header.parts))
+        for compile_with in (device_code.clang_ptx, device_code.clang_amd):
+            compile_with(self.folder, source)
+
+    def test_a_warning_is_an_error(self):
+        self.require("clang++-16")
+        source = self.folder / "warning.cu"
+        source.write_text("__device__ void f(int unused) {}\n")
         for compile_with in (device_code.clang_ptx, device_code.clang_amd):
             with self.assertRaisesRegex(device_code.CompilerError, "unused"):
-                compile_with(self.folder)
+                compile_with(self.folder, source)
 
 
 if __name__ == "__main__":
