@@ -119,7 +119,7 @@ extern WELLSTRAT_API const FloatsOfBytes kFloatsOfBytes;
 /// The first 24 digits, the first in bit 0, as a number: toUnitFloat(reverseBits(digits)). Its
 /// three parts have no digit in common, so that sums in any order are exact.
 WELLSTRAT_HOST_DEVICE inline float floatOfDigits(uint32_t digits) {
-#if defined(__CUDA_ARCH__)
+#if WELLSTRAT_DEVICE_CODE
     return stream1::toUnitFloat(reverseBits(digits));
 #else
     const FloatsOfBytes& floats = kFloatsOfBytes;
@@ -183,7 +183,7 @@ WELLSTRAT_API PointDigits laterPoint(uint32_t seed, uint32_t sampleid);
 
 /// sequenceDigits(sequenceIndex(seed, sampleid)).
 WELLSTRAT_HOST_DEVICE inline PointDigits sequencePoint(uint32_t seed, uint32_t sampleid) {
-#if defined(__CUDA_ARCH__)
+#if WELLSTRAT_DEVICE_CODE
     return sequenceDigits(sequenceIndex(seed, sampleid));
 #else
     if (WELLSTRAT_UNLIKELY(sampleid >= 0x10000u)) return detail::laterPoint(seed, sampleid);

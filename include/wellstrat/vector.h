@@ -13,7 +13,7 @@
 
 // <cmath> is 20,000 lines, most of what including RixRNG.h would cost, so it is left out where the
 // compiler has the two functions built in.
-#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#if defined(__GNUC__) && (defined(__clang__) || !defined(__CUDACC__))
 #define WELLSTRAT_BUILTIN_MATH 1
 #else
 #define WELLSTRAT_BUILTIN_MATH 0
@@ -26,8 +26,10 @@ inline namespace stream1 {
 namespace detail {
 
 #if WELLSTRAT_BUILTIN_MATH
-inline float squareRoot(float x) { return __builtin_sqrtf(x); }
-inline float copySign(float magnitude, float sign) { return __builtin_copysignf(magnitude, sign); }
+WELLSTRAT_HOST_DEVICE inline float squareRoot(float x) { return __builtin_sqrtf(x); }
+WELLSTRAT_HOST_DEVICE inline float copySign(float magnitude, float sign) {
+    return __builtin_copysignf(magnitude, sign);
+}
 #else
 WELLSTRAT_HOST_DEVICE inline float squareRoot(float x) { return std::sqrt(x); }
 WELLSTRAT_HOST_DEVICE inline float copySign(float magnitude, float sign) {

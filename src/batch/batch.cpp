@@ -39,8 +39,9 @@ void drawBlueBits(std::size_t n, const SampleCtx* contexts, Order order, Bits* b
     for (std::size_t i = 0; i < n; ++i) {
         const SampleCtx sc = contexts[i];
         const detail::BluePoint point =
-            inSlot ? detail::blueSlotPoint(sc.patternid, sc.sampleid, order.slot, order.splits)
-                   : detail::bluePoint(sc.patternid, sc.sampleid);
+            inSlot ? detail::blueSlotPoint(detail::kBlueTables, detail::kSlotOrders, sc.patternid,
+                                           sc.sampleid, order.slot, order.splits)
+                   : detail::bluePoint(detail::kBlueTables, sc.patternid, sc.sampleid);
         bits[i] = kBits(point.digits, point.seed);
     }
 }

@@ -118,7 +118,7 @@ protected:
         }
     }
 
-    template <typename Sample, typename Draw, typename Scalar>
+    template <typename Sample, typename Draw, typename Scalar = Sample (*)(uint32_t, uint32_t)>
     void checkPaddedDraws(Draw draw, Scalar scalar) {
         forBatches([&](const std::vector<SampleCtx>& contexts) {
             checkOrdered<Sample>(contexts, draw, Order{}, scalar);
@@ -126,7 +126,8 @@ protected:
     }
 
     /// With splits of all kinds: odd, powers of 2, both, and the largest.
-    template <typename Sample, typename Draw, typename Scalar>
+    template <typename Sample, typename Draw,
+              typename Scalar = Sample (*)(uint32_t, uint32_t, unsigned, unsigned)>
     void checkJointDraws(Draw draw, Scalar scalar) {
         unsigned slot = 0;
         for (const unsigned split : {1u, 2u, 3u, 8u, 12u, 100u, 255u, 256u}) {
