@@ -155,7 +155,6 @@ TEST(Integrator, SlotsHaveLessErrorThanTables) {
     }
 }
 
-/// Guards against scenes of odd numbers giving NaN: every sample of every pixel is a number.
 /// Guards against losing what pixels know of each other: by contexts that are not the generator's,
 /// or derived without it.
 TEST(Integrator, BlueErrorsCancelBetweenNeighbors) {
@@ -184,6 +183,7 @@ TEST(Integrator, BlueErrorsCancelBetweenNeighbors) {
     EXPECT_LT(blockError(&blue), 0.8 * blockError(nullptr));
 }
 
+/// Guards against scenes of odd numbers giving NaN: every sample of every pixel is a number.
 TEST(Integrator, BadNumbersStayOutOfThePicture) {
     const float nan = std::nanf("");
     Scene scene = everything();
