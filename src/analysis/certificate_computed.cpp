@@ -57,7 +57,7 @@ public:
         const std::string name = "pattern " + std::to_string(patternid) + domainName(slot) +
                                  ", samples from " + std::to_string(first) + " on";
         checkNets(
-            drawer_.draw(camera, slot, name), [&] { return name; }, lines_);
+            drawer_.draw(camera, slot, name), [&]() -> const std::string& { return name; }, lines_);
     }
 
     const CertificateLines& lines() const { return lines_; }
@@ -117,7 +117,7 @@ public:
         const PointSet points = drawer_.draw(camera, tile_.slot, name);
         if (a == 0) {
             checkNets(
-                points, [&] { return name; }, lines_);
+                points, [&]() -> const std::string& { return name; }, lines_);
         } else {
             checkRuns(points, std::size_t{side} * side, name);
         }

@@ -11,39 +11,39 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace {
 
-constexpr auto draw1D = detail::orderedSample<blueSample1D, blueSlotSample1D>;
-constexpr auto draw2D = detail::orderedSample<blueSample2D, blueSlotSample2D>;
-constexpr auto draw3D = detail::orderedSample<blueSample3D, blueSlotSample3D>;
+constexpr auto kDraw1D = detail::orderedSample<blueSample1D, blueSlotSample1D>;
+constexpr auto kDraw2D = detail::orderedSample<blueSample2D, blueSlotSample2D>;
+constexpr auto kDraw3D = detail::orderedSample<blueSample3D, blueSlotSample3D>;
 
 } // namespace
 
 BlueProgressive::~BlueProgressive() = default;
 
 float BlueProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return draw1D(sc, order);
+    return kDraw1D(sc, order);
 }
 
 Float2 BlueProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return draw2D(sc, order);
+    return kDraw2D(sc, order);
 }
 
 Float3 BlueProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return draw3D(sc, order);
+    return kDraw3D(sc, order);
 }
 
 void BlueProgressive::MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
                                            float* xis) const {
-    detail::drawOrdered<draw1D>(n, sc, order, xis, drawBlueSamples1D);
+    detail::drawOrdered<kDraw1D>(n, sc, order, xis, drawBlueSamples1D);
 }
 
 void BlueProgressive::MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
                                            Float2* xis) const {
-    detail::drawOrdered<draw2D>(n, sc, order, xis, drawBlueSamples2D);
+    detail::drawOrdered<kDraw2D>(n, sc, order, xis, drawBlueSamples2D);
 }
 
 void BlueProgressive::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                            Float3* xis) const {
-    detail::drawOrdered<draw3D>(n, sc, order, xis, drawBlueSamples3D);
+    detail::drawOrdered<kDraw3D>(n, sc, order, xis, drawBlueSamples3D);
 }
 
 SampleCtx BlueProgressive::CameraContext(int x, int y, unsigned seed, unsigned sampleid) const {

@@ -10,39 +10,39 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace {
 
-constexpr auto draw1D = detail::orderedSample<sequenceSample1D, jointSequenceSample1D>;
-constexpr auto draw2D = detail::orderedSample<sequenceSample2D, jointSequenceSample2D>;
-constexpr auto draw3D = detail::orderedSample<sequenceSample3D, jointSequenceSample3D>;
+constexpr auto kDraw1D = detail::orderedSample<sequenceSample1D, jointSequenceSample1D>;
+constexpr auto kDraw2D = detail::orderedSample<sequenceSample2D, jointSequenceSample2D>;
+constexpr auto kDraw3D = detail::orderedSample<sequenceSample3D, jointSequenceSample3D>;
 
 } // namespace
 
 LongProgressive::~LongProgressive() = default;
 
 float LongProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return draw1D(sc, order);
+    return kDraw1D(sc, order);
 }
 
 Float2 LongProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return draw2D(sc, order);
+    return kDraw2D(sc, order);
 }
 
 Float3 LongProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return draw3D(sc, order);
+    return kDraw3D(sc, order);
 }
 
 void LongProgressive::MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
                                            float* xis) const {
-    detail::drawOrdered<draw1D>(n, sc, order, xis, drawSequenceSamples1D);
+    detail::drawOrdered<kDraw1D>(n, sc, order, xis, drawSequenceSamples1D);
 }
 
 void LongProgressive::MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
                                            Float2* xis) const {
-    detail::drawOrdered<draw2D>(n, sc, order, xis, drawSequenceSamples2D);
+    detail::drawOrdered<kDraw2D>(n, sc, order, xis, drawSequenceSamples2D);
 }
 
 void LongProgressive::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                            Float3* xis) const {
-    detail::drawOrdered<draw3D>(n, sc, order, xis, drawSequenceSamples3D);
+    detail::drawOrdered<kDraw3D>(n, sc, order, xis, drawSequenceSamples3D);
 }
 
 } // namespace stream1
