@@ -22,10 +22,11 @@ class DomainsTest(CliTest):
         return rows(self.output_of("domains", *arguments).decode())
 
     def test_parts(self):
-        table = self.table("spherelight", *SMALL, "--generators", "pmj,random,joint", "-o",
+        table = self.table("spherelight", *SMALL, "--generators",
+                           "pmj,random,joint,long,blue", "-o",
                            "d.json")
         self.assertEqual(list(table), ["pixel filter", "light 0", "bxdf 0", "sum", "floor", "pmj",
-                                       "random", "joint"])
+                                       "random", "joint", "long", "blue"])
         parts = [table[name] for name in ("pixel filter", "light 0", "bxdf 0")]
         for part, error in parts:
             self.assertGreater(part, -5 * error - 0.001)
@@ -43,7 +44,7 @@ class DomainsTest(CliTest):
             for number, key in zip(table[entry["name"]], ("part", "standard_error")):
                 self.assertAlmostEqual(entry[key], number, delta=0.0006)
         self.assertEqual([entry["name"] for entry in result["generators"]],
-                         ["pmj", "random", "joint"])
+                         ["pmj", "random", "joint", "long", "blue"])
 
     def test_a_lamp_in_view_is_an_error_of_the_pixel_alone(self):
         """The lamp of `cornell` is far brighter than all else: its edge in view has most of the
