@@ -69,20 +69,20 @@ TEST(Mtl, OpacityIsOfTheMaterialThatSaysIt) {
 // Alpha of the picture that "map_d" names, and of no other.
 TEST(Mtl, OpacityOfPictures) {
     const TempFolder folder;
-    writePicture<uint8_t>(folder, "alpha.tif", 1, 1, 4, {255, 255, 255, 51});
+    writePicture<uint8_t>(folder, "alpha.png", 1, 1, 4, {255, 255, 255, 51});
     writePicture<uint8_t>(folder, "gray.png", 1, 1, 1, {102});
-    Material material = materialOf(readMtl(folder, "map_Kd alpha.tif\n"));
+    Material material = materialOf(readMtl(folder, "map_Kd alpha.png\n"));
     EXPECT_EQ(material.alpha, Material::Alpha::opaque);
     expectNear(colorAt(material.baseColorTexture, 0, 0), Float3(1.0f));
     for (const auto& [name, opacity] :
-         {std::pair("alpha.tif", 0.2f), std::pair("gray.png", 0.4f)}) {
+         {std::pair("alpha.png", 0.2f), std::pair("gray.png", 0.4f)}) {
         material = materialOf(readMtl(folder, std::string("map_d ") + name + "\n"));
         EXPECT_EQ(material.alpha, Material::Alpha::blend);
         expectNear(colorAt(material.opacityTexture, 0, 0), Float3(opacity));
     }
 }
 
-// u' = 2 u + 0.25, v' = 3 v - 0.5, from the lower left corner; by numbers at many points.
+// u' = 2 u + 0.25, v' = 2.7 v - 0.5, from the lower left corner; by numbers at many points.
 TEST(Mtl, ScaleAndOffset) {
     const TempFolder folder;
     writeColors(folder, "colors.png");
@@ -91,12 +91,12 @@ TEST(Mtl, ScaleAndOffset) {
     };
     const TextureMap plain = mapOf("");
     expectNear(colorAt(plain, 0.25f, 0.75f), {1, 0, 0});
-    for (const char* const options : {"-s 2 3 1 -o 0.25 -0.5 0", "-o 0.25 -0.5 -s 2 3"}) {
+    for (const char* const options : {"-s 2 2.7 1 -o 0.25 -0.5 0", "-o 0.25 -0.5 -s 2 2.7"}) {
         const TextureMap map = mapOf(options);
         for (int i = 0; i < 25; ++i) {
             const float u = 0.21f * static_cast<float>(i % 5),
                         v = 0.17f * static_cast<float>(i / 5);
-            expectNear(colorAt(map, u, v), colorAt(plain, 2 * u + 0.25f, 3 * v - 0.5f), 1e-4f);
+            expectNear(colorAt(map, u, v), colorAt(plain, 2 * u + 0.25f, 2.7f * v - 0.5f), 1e-4f);
         }
     }
     expectNear(colorAt(mapOf("-s 2"), 0.1f, 0.3f), colorAt(plain, 0.2f, 0.3f), 1e-4f);

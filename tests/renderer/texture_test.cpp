@@ -87,7 +87,7 @@ TEST(Texture, CoverageIsAlphaOrElseGray) {
     const auto read = [](const std::string& path) {
         return readTexture(path, Encoding::sRgb, Channels::alphaOrGray).pixel(0, 0);
     };
-    expectNear(read(writePicture<uint8_t>(folder, "a.tif", 1, 1, 4, {255, 255, 255, 51})),
+    expectNear(read(writePicture<uint8_t>(folder, "a.png", 1, 1, 4, {255, 255, 255, 51})),
                Float3(0.2f));
     expectNear(read(writePicture<uint8_t>(folder, "g.png", 1, 1, 1, {51})), Float3(0.2f));
     // ITU-R BT.709-6, item 3.2.
