@@ -42,6 +42,7 @@ std::vector<Point> projected(const std::vector<Float3>& corners) {
     const auto axis = static_cast<int>(longest - normal.begin());
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     std::vector<Point> points;
+    points.reserve(corners.size());
     for (const Float3 corner : corners)
         points.push_back(*longest < 0 ? Point{corner[v], corner[u]} : Point{corner[u], corner[v]});
     return points;
