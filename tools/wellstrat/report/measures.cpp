@@ -79,11 +79,10 @@ void addIndependence(ReportWriter& report) {
         "not cancel. Here each coordinate of each stream of 2D samples is tested against each "
         "coordinate of the others.");
     report.page.paragraph(
-        "Streams of generators other than pmj and random are taken from their second domain, "
-        "because the order of the first one is the same for all patterns. The order of stratified "
-        "samples is not quite random, even with exact Owen scrambling: spread and mean chi-square "
-        "come out up to 1.6, and single pairs look unlikely. So compare well-stratified generators "
-        "with each other. Streams that depend on each other have a mean chi-square many times as "
+        "Streams of sequences of others are taken from their second domain, because the order of "
+        "the first one is the same for all patterns. What is expected is exact for random numbers "
+        "and for nets whose orders are scrambled, Owen's nested shuffles, as for others whose "
+        "orders are random. Streams that depend on each other have a mean chi-square many times as "
         "large, or far below 1 if they are too even.");
     HtmlTable table{
         fmt::format("{} samples of each stream; chi-square on {} x {} cells. Spread of "
