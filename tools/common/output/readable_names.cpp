@@ -22,6 +22,8 @@ const std::map<std::string, std::string>& titles() {
         {"sobol-shift", "Shifted Sobol"},
         {"halton", "Halton"},
         {"jitter", "Jittered"},
+        {"zsobol", "ZSobol"},
+        {"tile", "Annealed tile"},
     };
     return all;
 }

@@ -65,13 +65,14 @@ void addReference(const Comparison& comparison, HtmlPage& page) {
     std::string origin = reference.origin;
     origin[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(origin[0])));
     page.paragraph(fmt::format("{}. {}", origin, referenceError(comparison)));
-    HtmlFigure figure{{{"The reference", pngOf(reference.film)}},
+    HtmlFigure figure{{{"The reference", pngOf(reference.film), "Reference"}},
                       fmt::format("The reference, {}x{} pixels, in sRGB.", reference.film.width(),
                                   reference.film.height()),
                       2};
     if (isMasked(comparison)) {
         const render::PixelMask& mask = comparison.measure.mask;
-        figure.pictures.push_back({"The pixels that count", pngOf(pictureOf(mask))});
+        figure.pictures.push_back(
+            {"The pixels that count", pngOf(pictureOf(mask)), "White counts"});
         figure.caption += fmt::format(
             " White beside it: the {:.1f} % of the pixels whose errors "
             "count, {}.",
