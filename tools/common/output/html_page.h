@@ -30,7 +30,7 @@ std::string htmlText(std::string_view text);
 struct HtmlPicture {
     std::string description; ///< for those who cannot see it
     std::string bytes;       ///< of a PNG or SVG file
-    std::string label = "";  ///< short, shown in the picture's corner; empty for none
+    std::string label = {};  ///< short, shown in the picture's corner; empty for none
 };
 
 /// Pictures over one caption, up to `columns`, 1 to 4, of them beside each other where the window
