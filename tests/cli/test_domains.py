@@ -62,6 +62,19 @@ class DomainsTest(CliTest):
         table = self.table("cornell", *SMALL, "--camera", "0,0,-5", "--look-at", "0,0,-10")
         self.assertEqual(table, {name: (0, 0) for name in ("sum", "floor", "joint")})
 
+    def test_it_ends_with_what_to_do(self):
+        def advice(*arguments):
+            return self.output_of("domains", *arguments).decode().splitlines()[-1]
+
+        padded = ("lens", "--size", "24x16", "--depth", "0", "--seeds", "8", "--spp")
+        gain = advice(*padded, "256")
+        self.assertRegex(gain, r"^What to do: take joint, whose error is 0\.[67]\d of that of pmj\.")
+        self.assertIn("none of the generators tried has less",
+                      advice(*padded, "64", "--generators", "random"))
+        self.assertRegex(advice("cornell", *SMALL), "within domains.* 'pixel filter'")
+        self.assertEqual(advice("cornell", *SMALL, "--camera", "0,0,-5", "--look-at", "0,0,-10"),
+                         "What to do: nothing, there is no error.")
+
     def test_bad_arguments(self):
         for arguments, mentions in (
                 ((), "scene"), (("nothing",), "nothing"), (("cornell", "--spp", "0"), "--spp"),
