@@ -12,6 +12,7 @@
 #include "sampling_options.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace wellstrat::render {
 
@@ -38,6 +39,7 @@ public:
 private:
     void startPaths(const RixRNG& camera, const CameraSample* samples, PathBatch& batch) const;
     unsigned findHits(unsigned count, unsigned bounce, PathBatch& batch, Float3* results) const;
+    Vertex vertexAt(const Path& path, const Surface& surface) const;
     unsigned scatter(const RixRNG& hits, unsigned bounce, PathBatch& batch) const;
 
     SamplingOptions options_;
@@ -45,6 +47,8 @@ private:
     PixelFilter filter_;
     Geometry geometry_;
     DirectLight directLight_;
+    const Material* materials_;
+    std::vector<BxdfParameters> uniform_; ///< of each material, as if it had no textures
 };
 
 } // namespace wellstrat::render

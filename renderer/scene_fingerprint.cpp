@@ -80,6 +80,11 @@ private:
         add(m.opacityCutoff);
         add(m.alpha);
         add(m.colorIsEmission);
+        add(m.transmission);
+        add(m.transmissionTexture);
+        add(m.ior);
+        add(m.isSolid);
+        add(m.absorption);
     }
     void add(const Mesh& mesh) {
         addAll(mesh.positions);
