@@ -54,6 +54,7 @@ uint64_t Integrator::radiance(unsigned count, const CameraSample* samples, PathB
     std::fill_n(results, count, Float3(0.0f));
     for (unsigned i = 0; i < count; ++i) {
         const CameraSample& s = samples[i];
+        batch.meetsNothing[i] = false;
         const int x = static_cast<int>(s.x), y = static_cast<int>(s.y);
         batch.contexts[i] = options_.generator
                                 ? options_.generator->CameraContext(x, y, options_.seed, s.sampleid)
@@ -100,7 +101,9 @@ unsigned Integrator::findHits(unsigned count, unsigned bounce, PathBatch& batch,
         Path& path = batch.paths[i];
         Hit hit;
         if (!geometry_.closestHit(path.ray, hit)) {
-            results[path.point] += directLight_.fromEnvironment(path);
+            batch.meetsNothing[path.point] = bounce == 0;
+            if (bounce > 0 || options_.background)
+                results[path.point] += directLight_.fromEnvironment(path);
             return false;
         }
         const Surface surface = geometry_.surface(path.ray, hit);

@@ -31,7 +31,8 @@ public:
     void setCamera(const PictureCamera& camera) { camera_ = camera; }
 
     /// Writes the radiance of `count` samples, at most kBatchSize, to `results`. Each depends on
-    /// nothing but the scene, the options and the sample. `batch` is memory to work in. Returns the
+    /// nothing but the scene, the options and the sample. `batch` is memory to work in, and says
+    /// afterwards which camera rays meet nothing. Returns the
     /// number of rays traced, those of camera and bounces, not those to lights.
     uint64_t radiance(unsigned count, const CameraSample* samples, PathBatch& batch,
                       Float3* results) const;

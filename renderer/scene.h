@@ -116,6 +116,8 @@ struct Environment {
     Float3 radiance = Float3(1.0f); ///< multiplies the map
     /// Latitude-longitude: the first row is up (+y), the middle column -z, right of it +x.
     TexturePtr map; ///< null: constant
+    /// Turns the map about +y, in radians, counterclockwise as seen from above.
+    float rotation = 0;
 };
 
 /// A thin-lens camera, or one that sees along parallel lines.

@@ -42,6 +42,8 @@ void checkLight(const Scene& scene) {
     }
     require(!scene.environment || isLight(scene.environment->radiance),
             "the radiance of the environment is not finite or negative");
+    require(!scene.environment || std::isfinite(scene.environment->rotation),
+            "the rotation of the environment is not finite");
 }
 
 template <class T>

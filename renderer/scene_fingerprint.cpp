@@ -114,6 +114,7 @@ private:
     void add(const Environment& environment) {
         add(environment.radiance);
         add(environment.map);
+        add(environment.rotation);
     }
     void add(const Camera& camera) {
         add(camera.position);

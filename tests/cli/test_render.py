@@ -169,10 +169,13 @@ class RenderTest(RenderCase):
         self.output_of("render", "cornell", "--size", "8x4", "--spp", "1", "-o", "sky.hdr")
         image = ("render", "a.obj", "--size", "8x8", "--spp", "1", "-o", "a.exr")
         light, camera = "There is no light", "There is no camera"
+        dark = "the picture is almost black"
         for arguments, notes in (((), (light, f"{camera}: the picture shows the whole scene")),
                                  (("--environment", "sky.hdr"), (camera,)),
-                                 (("--camera", "0,0,5"), (light,)),
+                                 (("--camera", "0,0,5", "--look-at", "0,0,0"), (light,)),
                                  (("--fov", "5"), (light, f"{camera}: it stands in front")),
+                                 (("--camera", "0,0,5", "--studio", "off"), (dark,)),
+                                 (("--camera", "0,0,5", "--studio", "on"), ()),
                                  (("--camera", "0,0,5", "--environment", "sky.hdr"), ())):
             lines = self.run_program(*image, *arguments).stderr.decode().splitlines()
             self.assertEqual(len(lines), len(notes), lines)

@@ -31,7 +31,7 @@ Scene fullScene() {
     scene.meshes = {mesh};
     scene.spheres = {{{1, 2, 3}, 4, 1, Float3(1, 2, 4)}};
     scene.lights = {{PunctualLight::Kind::spot, {1, 2, 3}, {0, 0, 1}, {1, 1, 1}, 0.9f, 0.5f}};
-    scene.environment = Environment{{1, 1, 1}, textureOf(0.25f)};
+    scene.environment = Environment{{1, 1, 1}, textureOf(0.25f), 0};
     scene.camera = Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 1, 0.1f, 2};
     return scene;
 }
@@ -93,6 +93,7 @@ TEST(SceneFingerprint, ChangesWithEverything) {
         [](Scene& s) { s.lights[0].cosOuter = 0; },
         [](Scene& s) { s.environment->radiance.x = 2; },
         [](Scene& s) { s.environment->map = textureOf(0.5f); },
+        [](Scene& s) { s.environment->rotation = 1; },
         [](Scene& s) { s.environment.reset(); },
         [](Scene& s) { s.camera->position.x = 1; },
         [](Scene& s) { s.camera->verticalFov = 2; },

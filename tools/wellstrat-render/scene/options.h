@@ -21,6 +21,9 @@ struct ImageSize {
 struct SceneOptions {
     std::string scene;
     std::optional<std::string> environment;
+    std::optional<double> environmentRotation; ///< degrees
+    std::optional<double> environmentStrength;
+    std::string studio = "auto"; ///< or "on" or "off"
     std::optional<std::string> cameraName; ///< of a scene file
     std::optional<uint64_t> cameraNumber;  ///< from 1
     std::optional<Float3> position, lookAt, up;
