@@ -40,7 +40,8 @@ Camera framingCamera(const Scene& scene, float aspect);
 
 constexpr auto kNoCameraNote = "There is no camera: the picture shows the whole scene.";
 
-/// Gives a scene without camera a `framingCamera` and `kNoCameraNote`. The scene must have geometry.
+/// Gives a scene without camera a `framingCamera` and `kNoCameraNote`. The scene must have
+/// geometry.
 void addMissingCamera(Scene& scene);
 
 } // namespace wellstrat::render

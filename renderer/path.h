@@ -44,7 +44,7 @@ struct PathBatch {
     Path paths[kBatchSize];
     Vertex vertices[kBatchSize];
     RixRNG::SampleCtx contexts[kBatchSize]; ///< of the camera, then of the last hit
-    bool meetsNothing[kBatchSize]; ///< of the camera rays, in the order of the results
+    bool meetsNothing[kBatchSize];          ///< of the camera rays, in the order of the results
 
     // For one domain at a time:
     RixRNG::SampleCtx domain[kBatchSize];

@@ -26,12 +26,13 @@ struct PixelWork {
 
 struct Renderer::State {
     unsigned width, height;
+    bool background;
     Integrator integrator;
     mutable std::atomic<uint64_t> segments{0};
     mutable tbb::enumerable_thread_specific<PathBatch> batches; ///< memory to work in
 
     State(const Scene& scene, unsigned w, unsigned h, const SamplingOptions& options)
-        : width(w), height(h), integrator(scene, w, h, options) {}
+        : width(w), height(h), background(options.background), integrator(scene, w, h, options) {}
 
     uint64_t renderTile(const Pass& pass, unsigned column, unsigned row, Film& film) const;
 };
@@ -59,7 +60,8 @@ uint64_t Renderer::State::renderTile(const Pass& pass, unsigned column, unsigned
         }
         if (count == 0) return taken;
         segments += integrator.radiance(count, samples, batch, results);
-        for (unsigned i = 0; i < count; ++i) film.add(samples[i].x, samples[i].y, results[i]);
+        for (unsigned i = 0; i < count; ++i)
+            film.add(samples[i].x, samples[i].y, results[i], !background && batch.meetsNothing[i]);
         taken += count;
     }
 }

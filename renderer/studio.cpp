@@ -29,7 +29,8 @@ float studioRadiance(Float3 direction) {
     Float3 toKey(-0.6f, 0.8f, 0.7f);
     toKey.Normalize();
     const float sky = kHorizon + (kZenith - kHorizon) * std::max(direction.y, 0.0f);
-    const float key = kKey * smoothStep(kCosOfKey - 0.02f, kCosOfKey + 0.02f, Dot(direction, toKey));
+    const float key =
+        kKey * smoothStep(kCosOfKey - 0.02f, kCosOfKey + 0.02f, Dot(direction, toKey));
     return kGround + (sky - kGround) * smoothStep(-0.2f, 0.2f, direction.y) + key;
 }
 

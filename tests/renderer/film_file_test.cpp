@@ -3,6 +3,7 @@
 // Parts of films: put together, written and read back.
 
 #include "renderer/film_file.h"
+#include "renderer/picture_file.h"
 
 #include "RixRNGInline.h"
 

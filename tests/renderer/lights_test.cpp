@@ -233,7 +233,8 @@ TEST(EnvironmentLight, IsTurned) {
 /// By multiples of the cells that the test sums over.
 class TurnedEnvironment : public ::testing::TestWithParam<float> {};
 
-INSTANTIATE_TEST_SUITE_P(EnvironmentLight, TurnedEnvironment, ::testing::Values(0.0f, F_TWOPI * 37 / 512, F_TWOPI * -200 / 512));
+INSTANTIATE_TEST_SUITE_P(EnvironmentLight, TurnedEnvironment,
+                         ::testing::Values(0.0f, F_TWOPI * 37 / 512, F_TWOPI * -200 / 512));
 
 /// Guards against an environment whose samples and density disagree, and one that leaves out light.
 TEST_P(TurnedEnvironment, SamplesByItsDensity) {

@@ -5,7 +5,7 @@
 #include "common/command_line/versions.h"
 #include "common/output/html_page.h"
 
-#include "renderer/film_file.h"
+#include "renderer/picture_file.h"
 #include "renderer/pixel_mask.h"
 
 #include <fmt/format.h>

@@ -90,8 +90,7 @@ float aspectOf(const SceneOptions& options, const render::Scene& scene) {
 
 void changeCamera(const SceneOptions& options, render::Scene& scene) {
     render::Camera& camera = *scene.camera;
-    if (scene.cameraIsAutomatic)
-        camera = render::framingCamera(scene, aspectOf(options, scene));
+    if (scene.cameraIsAutomatic) camera = render::framingCamera(scene, aspectOf(options, scene));
     try {
         if (options.position || options.lookAt || options.up) {
             camera = placed(options, scene, camera);
@@ -120,9 +119,9 @@ void addStudio(const SceneOptions& options, render::Scene& scene) {
         if (lit >= render::kLeastLit) return;
         scene.notes.push_back(fmt::format(
             "{}: a studio lights it; --studio off renders without.",
-            lit == 0 ? "There is no light"
-                     : fmt::format("The scene's own light shows {:.1f} % of what is seen",
-                                   100 * lit)));
+            lit == 0
+                ? "There is no light"
+                : fmt::format("The scene's own light shows {:.1f} % of what is seen", 100 * lit)));
     }
     scene.environment = render::studio(scene.camera->forward);
 }
