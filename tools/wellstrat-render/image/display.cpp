@@ -31,11 +31,10 @@ double meanLuminance(const render::Film& film, const render::Display& display) {
 
 void addDisplayOptions(CLI::App& command, DisplayOptions& options) {
     addReal(command, "--exposure", options.exposure, {-32, 32},
-            "Stops by which .png and .jpg are brighter; .exr and .hdr stay as they are [0]");
+            "Stops by which .png and .jpg are brighter, not .exr and .hdr [0]");
     command
         .add_option("--tonemap", options.tonemap,
-                    "How bright light fits into .png and .jpg: none cuts it off, filmic bends it "
-                    "[none]")
+                    "Bright light in .png and .jpg: none cuts it off, filmic bends it [none]")
         ->check(CLI::IsMember({"none", "filmic"}))
         ->type_name("CURVE");
 }

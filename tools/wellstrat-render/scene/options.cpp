@@ -92,10 +92,8 @@ CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
     addReal(command, "--environment-strength", options.environmentStrength, {0, 1e6},
             "Multiplies its light [1]");
     command
-        .add_option(
-            "--studio", options.studio,
-            "A gray studio for light: on, off, or auto, where a file's own light shows less "
-            "than a tenth of what is seen [auto]")
+        .add_option("--studio", options.studio,
+                    "Gray light from around: on, off, or auto, where a file is dark [auto]")
         ->check(CLI::IsMember({"auto", "on", "off"}))
         ->type_name("WHEN");
     command.add_option("--camera-name", options.cameraName, "The scene file's camera of this name")
