@@ -177,10 +177,10 @@ class RenderTest(RenderCase):
         image = ("render", "a.obj", "--size", "8x8", "--spp", "1", "-o", "a.exr")
         light, camera = "There is no light", "There is no camera"
         dark = "the picture is almost black"
-        for arguments, notes in (((), (light, f"{camera}: the picture shows the whole scene")),
+        for arguments, notes in (((), (f"{camera}: the picture shows the whole scene", light)),
                                  (("--environment", "sky.hdr"), (camera,)),
                                  (("--camera", "0,0,5", "--look-at", "0,0,0"), (light,)),
-                                 (("--fov", "5"), (light, f"{camera}: it stands in front")),
+                                 (("--fov", "5"), (f"{camera}: it stands in front", light)),
                                  (("--camera", "0,0,5", "--studio", "off"), (dark,)),
                                  (("--camera", "0,0,5", "--studio", "on"), ()),
                                  (("--camera", "0,0,5", "--environment", "sky.hdr"), ())):
@@ -206,8 +206,11 @@ class RenderTest(RenderCase):
         self.assertEqual(len(pictures), 8)
 
     def test_almost_black_and_white(self):
+        self.write_obj()
+        image = ("render", "a.obj", "--camera", "0,0,5", "--size", "8x8", "--spp", "4", "--studio",
+                 "on", "-o", "a.png")
         for exposure, text in (("-12", "almost black"), ("12", "almost white"), ("0", "")):
-            process = self.run_program(*SMALL, "--exposure", exposure, "-o", "a.png")
+            process = self.run_program(*image, "--exposure", exposure)
             self.assertEqual(process.returncode, 0)
             self.assertIn(text, process.stderr.decode())
         self.assertEqual(process.stderr, b"")
