@@ -285,7 +285,7 @@ class RefusalTest(AnalyzeTest):
                 (("points.csv", "--domains", "0,2"), "--domains"),
                 (("--generator", "pmj", "--domains", "1,1"), "--domains"),
                 (("points.csv", "--dims", "2"), "--dims goes with --generator"),
-                (("--generator", "zebra"), "pmj, random, long, blue, joint, sobol-owen"),
+                (("--generator", "zebra"), "pmj, random, long, blue, joint, long-words, sobol-owen"),
                 (("--generator", "file:points.csv"), "no generator is called"),
                 (("--generator", "pmj", "--dims", "4"), "1 to 3"),
                 (("--generator", "halton", "--dims", "4"), "1 to 3"),

@@ -167,8 +167,11 @@ class RenderTest(RenderCase):
                           ("--focus", "1e9", "--fov", "179"), ("--focus", "1e-9"),
                           ("--camera", "1e9,1e9,1e9", "--look-at", "-1e9,1e9,1e9",
                            "--lens-radius", "1e9")):
-            self.output_of("render", "cornell", "--size", "8x8", "--spp", "2", *arguments, "-o",
-                           "a.exr")
+            process = self.run_program("render", "cornell", "--size", "8x8", "--spp", "2",
+                                       *arguments, "-o", "a.exr")
+            self.assertEqual(process.returncode, 0, arguments)
+            self.assertRegex(process.stderr.decode(),
+                             r"\A(wellstrat: the picture is almost black: [^\n]+\n)?\Z")
 
     def write_obj(self):
         with open(self.path("a.obj"), "w", encoding="ascii") as file:
@@ -286,7 +289,9 @@ class RenderTest(RenderCase):
                                    "4", "--environment", "sky.pfm", "-o", "a.exr")
         self.assertEqual(process.returncode, 0)
         self.assertRegex(process.stderr.decode(),
-                         r"\Awellstrat: Pixels of the environment map [^\n]+: 4\.\n\Z")
+                         r"\Awellstrat: 2 pixels of the environment map are infinite[^\n]+\n"
+                         r"wellstrat: 2 pixels of the environment map are negative[^\n]+\n"
+                         r"wellstrat: the picture is almost white: [^\n]+\n\Z")
 
     def test_upper_case_suffix(self):
         self.output_of(*SMALL, "-o", "a.EXR", "-o", "a.exr")
@@ -369,7 +374,7 @@ class PartsTest(RenderCase):
                 ("picture.png", "`wellstrat render` wrote"), ("none.exr", "none.exr")):
             self.assert_fails("merge", "0-4.exr", other, "-o", "all.exr", mentions=mentions)
         for arguments, mentions in ((("0-4.exr",), "--output"), (("-o", "all.exr"), "images"),
-                                    (("0-4.exr", "-o", "all.txt"), ".exr, .png, .hdr")):
+                                    (("0-4.exr", "-o", "all.txt"), ".exr, .png, .jpg, .jpeg, .hdr")):
             self.assert_fails("merge", *arguments, mentions=mentions)
 
     def test_damaged_files_are_found(self):

@@ -112,8 +112,8 @@ void finish(const RenderOptions& options, Picture& picture, RenderEnd end, const
     const render::FilmPart part = partOf(picture, std::move(picture.part.film));
     writeAll(options, picture, part, end == RenderEnd::finished);
     sayInvalid(part.film);
-    sayIfInvisible(part.film, displayOf(options.display));
     if (end == RenderEnd::finished) {
+        sayIfInvisible(part.film, displayOf(options.display));
         sayDone(options, picture, part.film, cost);
     } else {
         sayStopped(options, picture, part.film, end);
