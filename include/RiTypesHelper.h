@@ -61,6 +61,6 @@ constexpr bool operator==(RtColorRGB a, RtColorRGB b) {
 constexpr bool operator!=(RtColorRGB a, RtColorRGB b) { return !(a == b); }
 
 namespace RixConstants {
-constexpr RtColorRGB k_ZeroRGB(0.0f);
-constexpr RtColorRGB k_OneRGB(1.0f);
+constexpr RtColorRGB k_ZeroRGB{0.0f};
+constexpr RtColorRGB k_OneRGB{1.0f};
 } // namespace RixConstants
