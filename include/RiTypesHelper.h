@@ -18,47 +18,66 @@ struct RtColorRGB {
     RtFloat r, g, b;
 
     RtColorRGB() = default;
-    constexpr explicit RtColorRGB(RtFloat gray) : r(gray), g(gray), b(gray) {}
-    constexpr RtColorRGB(RtFloat red, RtFloat green, RtFloat blue) : r(red), g(green), b(blue) {}
+    WELLSTRAT_HOST_DEVICE constexpr explicit RtColorRGB(RtFloat gray) : r(gray), g(gray), b(gray) {}
+    WELLSTRAT_HOST_DEVICE constexpr RtColorRGB(RtFloat red, RtFloat green, RtFloat blue)
+        : r(red), g(green), b(blue) {}
 
     /// All three channels are exactly 0.
-    constexpr bool IsBlack() const { return r == 0.0f && g == 0.0f && b == 0.0f; }
-    constexpr RtFloat ChannelMin() const {
+    WELLSTRAT_HOST_DEVICE constexpr bool IsBlack() const {
+        return r == 0.0f && g == 0.0f && b == 0.0f;
+    }
+    WELLSTRAT_HOST_DEVICE constexpr RtFloat ChannelMin() const {
         const RtFloat least = r < g ? r : g;
         return least < b ? least : b;
     }
-    constexpr RtFloat ChannelMax() const {
+    WELLSTRAT_HOST_DEVICE constexpr RtFloat ChannelMax() const {
         const RtFloat most = r > g ? r : g;
         return most > b ? most : b;
     }
-    constexpr RtFloat ChannelAvg() const { return (r + g + b) / 3.0f; }
+    WELLSTRAT_HOST_DEVICE constexpr RtFloat ChannelAvg() const { return (r + g + b) / 3.0f; }
 };
 
-constexpr RtColorRGB operator+(RtColorRGB a, RtColorRGB b) {
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB operator+(RtColorRGB a, RtColorRGB b) {
     return {a.r + b.r, a.g + b.g, a.b + b.b};
 }
-constexpr RtColorRGB operator-(RtColorRGB a, RtColorRGB b) {
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB operator-(RtColorRGB a, RtColorRGB b) {
     return {a.r - b.r, a.g - b.g, a.b - b.b};
 }
-constexpr RtColorRGB operator*(RtColorRGB a, RtColorRGB b) {
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB operator*(RtColorRGB a, RtColorRGB b) {
     return {a.r * b.r, a.g * b.g, a.b * b.b};
 }
-constexpr RtColorRGB operator*(RtColorRGB a, RtFloat s) { return {a.r * s, a.g * s, a.b * s}; }
-constexpr RtColorRGB operator*(RtFloat s, RtColorRGB a) { return a * s; }
-constexpr RtColorRGB operator/(RtColorRGB a, RtColorRGB b) {
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB operator*(RtColorRGB a, RtFloat s) {
+    return {a.r * s, a.g * s, a.b * s};
+}
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB operator*(RtFloat s, RtColorRGB a) { return a * s; }
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB operator/(RtColorRGB a, RtColorRGB b) {
     return {a.r / b.r, a.g / b.g, a.b / b.b};
 }
-constexpr RtColorRGB operator/(RtColorRGB a, RtFloat s) { return {a.r / s, a.g / s, a.b / s}; }
-constexpr RtColorRGB& operator+=(RtColorRGB& a, RtColorRGB b) { return a = a + b; }
-constexpr RtColorRGB& operator-=(RtColorRGB& a, RtColorRGB b) { return a = a - b; }
-constexpr RtColorRGB& operator*=(RtColorRGB& a, RtColorRGB b) { return a = a * b; }
-constexpr RtColorRGB& operator*=(RtColorRGB& a, RtFloat s) { return a = a * s; }
-constexpr RtColorRGB& operator/=(RtColorRGB& a, RtColorRGB b) { return a = a / b; }
-constexpr RtColorRGB& operator/=(RtColorRGB& a, RtFloat s) { return a = a / s; }
-constexpr bool operator==(RtColorRGB a, RtColorRGB b) {
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB operator/(RtColorRGB a, RtFloat s) {
+    return {a.r / s, a.g / s, a.b / s};
+}
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB& operator+=(RtColorRGB& a, RtColorRGB b) {
+    return a = a + b;
+}
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB& operator-=(RtColorRGB& a, RtColorRGB b) {
+    return a = a - b;
+}
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB& operator*=(RtColorRGB& a, RtColorRGB b) {
+    return a = a * b;
+}
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB& operator*=(RtColorRGB& a, RtFloat s) {
+    return a = a * s;
+}
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB& operator/=(RtColorRGB& a, RtColorRGB b) {
+    return a = a / b;
+}
+WELLSTRAT_HOST_DEVICE constexpr RtColorRGB& operator/=(RtColorRGB& a, RtFloat s) {
+    return a = a / s;
+}
+WELLSTRAT_HOST_DEVICE constexpr bool operator==(RtColorRGB a, RtColorRGB b) {
     return a.r == b.r && a.g == b.g && a.b == b.b;
 }
-constexpr bool operator!=(RtColorRGB a, RtColorRGB b) { return !(a == b); }
+WELLSTRAT_HOST_DEVICE constexpr bool operator!=(RtColorRGB a, RtColorRGB b) { return !(a == b); }
 
 namespace RixConstants {
 constexpr RtColorRGB k_ZeroRGB{0.0f};

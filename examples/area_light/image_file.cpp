@@ -2,27 +2,14 @@
 
 #include "image_file.h"
 
+#include "srgb.h"
+
 #include <png.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 
 namespace area_light {
-
-namespace {
-
-/// IEC 61966-2-1, the sRGB transfer function.
-uint8_t encodeSrgb(float linear) {
-    const float value = std::min(std::max(linear, 0.0f), 1.0f);
-    const float encoded =
-        value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
-    return static_cast<uint8_t>(std::lround(255.0f * encoded));
-}
-
-} // namespace
 
 void writePng(const std::string& path, unsigned size, const std::vector<const Image*>& images) {
     std::vector<uint8_t> bytes;

@@ -2,8 +2,7 @@
 
 #include "integrator.h"
 
-#include "RixShadingUtils.h"
-#include "scene.h"
+#include "estimates.h"
 #include "wellstrat/camera.h"
 
 #include <atomic>
@@ -13,10 +12,6 @@
 namespace area_light {
 
 namespace {
-
-// Any two different constants will do.
-constexpr RixRNG::Scramble kBxdfScramble = static_cast<RixRNG::Scramble>(0x6b8f21d3);
-constexpr RixRNG::Scramble kLightScramble = static_cast<RixRNG::Scramble>(0x91e4c05a);
 
 using Contexts = std::vector<RixRNG::SampleCtx>;
 
@@ -75,27 +70,6 @@ RixRNG branch(const RixRNG& parent, RixRNG::Scramble scramble, Branching branchi
     }
 }
 
-/// Light that the hit point reflects of one point of the light, over the density of that point.
-RtFloat3 lightEstimate(const Hit& hit, RtFloat2 xi) {
-    const LightPoint point = lightPoint(xi);
-    RtVector3 direction = point.position - hit.position;
-    const float distance = direction.Normalize();
-    const float cosSurface = direction.Dot(hit.normal);
-    const float cosLight = -direction.Dot(point.normal);
-    if (cosSurface <= 0.0f || cosLight <= 0.0f || blocked({hit.position, direction}, distance)) {
-        return RtFloat3(0.0f);
-    }
-    return kLightRadiance * (F_INVPI * cosSurface * cosLight * kLightArea / (distance * distance));
-}
-
-/// Light that it reflects of the sky, from a direction in proportion to the cosine.
-RtFloat3 skyEstimate(const Hit& hit, RtFloat2 xi) {
-    RtVector3 direction;
-    float cosine;
-    RixCosDirectionalDistribution(xi, hit.normal, direction, cosine);
-    return skyRadiance({hit.position, direction});
-}
-
 /// Adds an estimate of light at each hit to its pixel, one that takes a 2D sample of `rng`, and
 /// steps to the next sample.
 template <class Estimate>
@@ -103,9 +77,7 @@ void accumulate(RixRNG& rng, Workspace& work, const Estimate& estimate) {
     rng.GenerateSamples2D(work.xi.data());
     for (unsigned i = 0; i < rng.numPts; ++i) {
         const Hit& hit = work.batch.hits[i];
-        const RtFloat3 light = estimate(hit, work.xi[i]);
-        work.sum[work.batch.pixel[i]] +=
-            {light.x * hit.albedo.x, light.y * hit.albedo.y, light.z * hit.albedo.z};
+        work.sum[work.batch.pixel[i]] += hit.albedo * estimate(hit, work.xi[i]);
     }
 }
 

@@ -19,6 +19,7 @@
 #include "wellstrat/vector.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -69,6 +70,23 @@ WELLSTRAT_API void drawBlueSamples2D(std::size_t n, ArrayArgument<const SampleCt
                                      Order order, ArrayArgument<Float2> xis);
 WELLSTRAT_API void drawBlueSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
                                      Order order, ArrayArgument<Float3> xis);
+
+/// bits[i] = all 32 bits of each coordinate of the samples of drawSequenceSamples1D, 2D and 3D, of
+/// which floats are the upper 24, for i in [0, n).
+WELLSTRAT_API void drawSequenceBits1D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                                      Order order, ArrayArgument<uint32_t> bits);
+WELLSTRAT_API void drawSequenceBits2D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                                      Order order, ArrayArgument<Bits2> bits);
+WELLSTRAT_API void drawSequenceBits3D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                                      Order order, ArrayArgument<Bits3> bits);
+
+/// The same of drawBlueSamples1D, 2D and 3D. Computed one by one, not in vectors.
+WELLSTRAT_API void drawBlueBits1D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                                  Order order, ArrayArgument<uint32_t> bits);
+WELLSTRAT_API void drawBlueBits2D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                                  Order order, ArrayArgument<Bits2> bits);
+WELLSTRAT_API void drawBlueBits3D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
+                                  Order order, ArrayArgument<Bits3> bits);
 
 /// children[i] = parents[i].NewDomain(scramble), for i in [0, n); likewise the others.
 WELLSTRAT_API void newDomains(std::size_t n, ArrayArgument<const SampleCtx> parents,

@@ -12,9 +12,27 @@
 namespace wellstrat {
 inline namespace stream1 {
 
+#if WELLSTRAT_DEVICE_CODE
+namespace detail {
+
+// reverseBits and trailingZeros by the instructions that GPUs have for them.
+#if defined(__clang__)
+__device__ constexpr uint32_t reversedBits(uint32_t x) { return __builtin_bitreverse32(x); }
+__device__ constexpr int zerosBelow(uint32_t x) { return __builtin_ctz(x); }
+#else
+__device__ inline uint32_t reversedBits(uint32_t x) { return __brev(x); }
+__device__ inline int zerosBelow(uint32_t x) { return __ffs(static_cast<int>(x)) - 1; }
+#endif
+
+} // namespace detail
+#endif
+
 /// The bits of `x` in opposite order: bit 0 becomes bit 31. As a fraction of 2^32, the radical
 /// inverse of `x` in base 2.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseBits(uint32_t x) {
+#if WELLSTRAT_DEVICE_CODE
+    if (!__builtin_is_constant_evaluated()) return detail::reversedBits(x);
+#endif
     x = (x >> 16) | (x << 16);
     x = ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
     x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
@@ -41,7 +59,7 @@ inline constexpr ReversedBytes kReversedBytes;
 
 /// reverseBits of the low 8 bits of `x`: bits 24 to 31.
 WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseLowByte(uint32_t x) {
-#if defined(__CUDA_ARCH__)
+#if WELLSTRAT_DEVICE_CODE
     return reverseBits(x & 0xffu);
 #else
     return detail::kReversedBytes.of[x & 0xffu];
@@ -53,7 +71,9 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t reverseByte(uint32_t x) { return revers
 
 /// How often 2 divides `x`, which is not 0.
 WELLSTRAT_HOST_DEVICE constexpr unsigned trailingZeros(uint32_t x) {
-#if defined(__GNUC__)
+#if WELLSTRAT_DEVICE_CODE
+    return static_cast<unsigned>(detail::zerosBelow(x));
+#elif defined(__GNUC__)
     return static_cast<unsigned>(__builtin_ctz(x));
 #else
     unsigned count = 0;

@@ -46,9 +46,10 @@ struct BlueTables {
 
 extern WELLSTRAT_API const BlueTables kBlueTables;
 
-inline PointDigits rankDigits(unsigned slot, uint32_t rank) {
-    const uint64_t xy = kBlueTables.xy[slot](rank);
-    return {static_cast<uint32_t>(xy), static_cast<uint32_t>(xy >> 32), kBlueTables.z[slot](rank)};
+WELLSTRAT_HOST_DEVICE inline PointDigits rankDigits(const BlueTables& tables, unsigned slot,
+                                                    uint32_t rank) {
+    const uint64_t xy = tables.xy[slot](rank);
+    return {static_cast<uint32_t>(xy), static_cast<uint32_t>(xy >> 32), tables.z[slot](rank)};
 }
 
 /// What is needed of a state; see sequenceSeed.
@@ -62,8 +63,9 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t placeKey(uint32_t seed) {
 }
 
 /// Where BlueTables::padded has the rank of movedPlace(place, hash).
-inline uint32_t paddedPlace(uint32_t place, uint32_t hash) {
-    return shiftedPlace(place, hash) ^ kBlueTables.flips[hash >> 17 & 7u];
+WELLSTRAT_HOST_DEVICE inline uint32_t paddedPlace(const BlueTables& tables, uint32_t place,
+                                                  uint32_t hash) {
+    return shiftedPlace(place, hash) ^ tables.flips[hash >> 17 & 7u];
 }
 
 /// A point moved by the digits of a rank. Pixels of one state that exchange their axes all do.
@@ -81,20 +83,23 @@ struct BluePoint {
 };
 
 /// Of padded domains: the shuffled sequence. Each state moves the tile in its own way.
-inline BluePoint bluePoint(uint32_t patternid, uint32_t sampleid) {
+WELLSTRAT_HOST_DEVICE inline BluePoint bluePoint(const BlueTables& tables, uint32_t patternid,
+                                                 uint32_t sampleid) {
     const uint32_t seed = stateSeed(patternid);
-    const uint32_t place = paddedPlace(patternid & kPlaceBits, placeKey(seed));
-    const PointDigits rank = rankDigits(0, kBlueTables.padded[place]);
+    const uint32_t place = paddedPlace(tables, patternid & kPlaceBits, placeKey(seed));
+    const PointDigits rank = rankDigits(tables, 0, tables.padded[place]);
     return {movedDigits(sequencePoint(seed, sampleid), rank, seed), seed};
 }
 
 /// Of slots. All slots of a path are stratified together by having one index and one rank, each in
 /// its own order; so the tile stays where it is, and the axes are not the order's to exchange.
-inline BluePoint blueSlotPoint(uint32_t patternid, uint32_t sampleid, unsigned slot,
-                               unsigned split) {
+WELLSTRAT_HOST_DEVICE inline BluePoint blueSlotPoint(const BlueTables& tables,
+                                                     const SlotOrders& orders, uint32_t patternid,
+                                                     uint32_t sampleid, unsigned slot,
+                                                     unsigned split) {
     const uint32_t seed = stateSeed(patternid);
-    const PointDigits rank = rankDigits(slot, kBlueTables.slots[patternid & kPlaceBits]);
-    const PointDigits point = slotDigits(seed & ~kSlotSwapBit, sampleid, slot, split);
+    const PointDigits rank = rankDigits(tables, slot, tables.slots[patternid & kPlaceBits]);
+    const PointDigits point = slotDigits(orders, seed & ~kSlotSwapBit, sampleid, slot, split);
     return {movedDigits(point, rank, seed), seed};
 }
 
@@ -102,35 +107,73 @@ inline BluePoint blueSlotPoint(uint32_t patternid, uint32_t sampleid, unsigned s
 
 /// Sample `sampleid` of pattern `patternid` in a padded domain: z, (x, y) and (x, y, z) in [0, 1).
 /// Any two integers are valid. Safe in any thread.
-inline float blueSample1D(uint32_t patternid, uint32_t sampleid) {
-    const detail::BluePoint point = detail::bluePoint(patternid, sampleid);
+WELLSTRAT_HOST_DEVICE inline float blueSample1D(const detail::BlueTables& tables,
+                                                uint32_t patternid, uint32_t sampleid) {
+    const detail::BluePoint point = detail::bluePoint(tables, patternid, sampleid);
     return scrambledSampleZ(point.digits, point.seed);
 }
-inline Float2 blueSample2D(uint32_t patternid, uint32_t sampleid) {
-    const detail::BluePoint point = detail::bluePoint(patternid, sampleid);
+WELLSTRAT_HOST_DEVICE inline Float2 blueSample2D(const detail::BlueTables& tables,
+                                                 uint32_t patternid, uint32_t sampleid) {
+    const detail::BluePoint point = detail::bluePoint(tables, patternid, sampleid);
     return scrambledSampleXY(point.digits, point.seed);
 }
-inline Float3 blueSample3D(uint32_t patternid, uint32_t sampleid) {
-    const detail::BluePoint point = detail::bluePoint(patternid, sampleid);
+WELLSTRAT_HOST_DEVICE inline Float3 blueSample3D(const detail::BlueTables& tables,
+                                                 uint32_t patternid, uint32_t sampleid) {
+    const detail::BluePoint point = detail::bluePoint(tables, patternid, sampleid);
     return scrambledSampleXYZ(point.digits, point.seed);
 }
 
 /// The same in the domain of a slot, in [0, kJointSlots), under splits by `split` in all, in
 /// [1, kMaxJointSplit]; others are undefined.
+WELLSTRAT_HOST_DEVICE inline float blueSlotSample1D(const detail::BlueTables& tables,
+                                                    const detail::SlotOrders& orders,
+                                                    uint32_t patternid, uint32_t sampleid,
+                                                    unsigned slot, unsigned split) {
+    const detail::BluePoint point =
+        detail::blueSlotPoint(tables, orders, patternid, sampleid, slot, split);
+    return scrambledSampleZ(point.digits, point.seed);
+}
+WELLSTRAT_HOST_DEVICE inline Float2 blueSlotSample2D(const detail::BlueTables& tables,
+                                                     const detail::SlotOrders& orders,
+                                                     uint32_t patternid, uint32_t sampleid,
+                                                     unsigned slot, unsigned split) {
+    const detail::BluePoint point =
+        detail::blueSlotPoint(tables, orders, patternid, sampleid, slot, split);
+    return scrambledSampleXY(point.digits, point.seed);
+}
+WELLSTRAT_HOST_DEVICE inline Float3 blueSlotSample3D(const detail::BlueTables& tables,
+                                                     const detail::SlotOrders& orders,
+                                                     uint32_t patternid, uint32_t sampleid,
+                                                     unsigned slot, unsigned split) {
+    const detail::BluePoint point =
+        detail::blueSlotPoint(tables, orders, patternid, sampleid, slot, split);
+    return scrambledSampleXYZ(point.digits, point.seed);
+}
+
+/// The same from the tables of the process.
+inline float blueSample1D(uint32_t patternid, uint32_t sampleid) {
+    return blueSample1D(detail::kBlueTables, patternid, sampleid);
+}
+inline Float2 blueSample2D(uint32_t patternid, uint32_t sampleid) {
+    return blueSample2D(detail::kBlueTables, patternid, sampleid);
+}
+inline Float3 blueSample3D(uint32_t patternid, uint32_t sampleid) {
+    return blueSample3D(detail::kBlueTables, patternid, sampleid);
+}
 inline float blueSlotSample1D(uint32_t patternid, uint32_t sampleid, unsigned slot,
                               unsigned split) {
-    const detail::BluePoint point = detail::blueSlotPoint(patternid, sampleid, slot, split);
-    return scrambledSampleZ(point.digits, point.seed);
+    return blueSlotSample1D(detail::kBlueTables, detail::kSlotOrders, patternid, sampleid, slot,
+                            split);
 }
 inline Float2 blueSlotSample2D(uint32_t patternid, uint32_t sampleid, unsigned slot,
                                unsigned split) {
-    const detail::BluePoint point = detail::blueSlotPoint(patternid, sampleid, slot, split);
-    return scrambledSampleXY(point.digits, point.seed);
+    return blueSlotSample2D(detail::kBlueTables, detail::kSlotOrders, patternid, sampleid, slot,
+                            split);
 }
 inline Float3 blueSlotSample3D(uint32_t patternid, uint32_t sampleid, unsigned slot,
                                unsigned split) {
-    const detail::BluePoint point = detail::blueSlotPoint(patternid, sampleid, slot, split);
-    return scrambledSampleXYZ(point.digits, point.seed);
+    return blueSlotSample3D(detail::kBlueTables, detail::kSlotOrders, patternid, sampleid, slot,
+                            split);
 }
 
 } // namespace stream1

@@ -59,10 +59,10 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t withReversedByte(uint32_t place) {
 
 /// U_d or P U_d times `index` in [0, kTableSize), for a pattern with this seed, with bits 0 to 7 of
 /// the result in opposite order.
-inline uint32_t jointPlace(uint32_t seed, unsigned slot, uint32_t index) {
+WELLSTRAT_HOST_DEVICE inline uint32_t jointPlace(const JointOrders& orders, uint32_t seed,
+                                                 unsigned slot, uint32_t index) {
     static_assert(kJointSwapBit == 16, "how much higher the second place stands");
-    const uint32_t both =
-        kJointOrders.low[slot][index % 256] ^ kJointOrders.high[slot][index / 256];
+    const uint32_t both = orders.low[slot][index % 256] ^ orders.high[slot][index / 256];
     return (both >> (seed & kJointSwapBit)) & (kTableSize - 1);
 }
 
@@ -106,91 +106,117 @@ WELLSTRAT_HOST_DEVICE constexpr uint32_t jointOffsetOf(uint32_t seed, uint32_t b
 }
 
 /// The same for a sample without splits, `sampleid` in [0, kStratifiedSamples).
-inline uint32_t jointOffset(uint32_t seed, uint32_t sampleid, unsigned slot) {
+WELLSTRAT_HOST_DEVICE inline uint32_t jointOffset(const JointOrders& orders, uint32_t seed,
+                                                  uint32_t sampleid, unsigned slot) {
     return jointOffsetOf(seed, sampleid / kTableSize,
-                         jointPlace(seed, slot, sampleid % kTableSize));
+                         jointPlace(orders, seed, slot, sampleid % kTableSize));
 }
 
 /// The sampleid at which a table in its own order would have the point of a sample under splits by
 /// `split` in all, but for the shift within the group; `sampleid` is below
 /// jointStratifiedSamples(split), and so is the result.
-inline uint32_t jointIndex(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
+WELLSTRAT_HOST_DEVICE inline uint32_t jointIndex(const JointOrders& orders, uint32_t seed,
+                                                 uint32_t sampleid, unsigned slot, unsigned split) {
     const uint32_t visit = sampleid / split;
     const uint32_t mask = jointOrderMask(visit, kStratifiedSamples / split);
-    const uint32_t ordered = withReversedByte(jointPlace(seed, slot, visit & mask));
+    const uint32_t ordered = withReversedByte(jointPlace(orders, seed, slot, visit & mask));
     const uint32_t place = (visit & ~mask) | ordered;
     return place * split + jointBranch(seed, visit, sampleid % split, split);
 }
 
 /// Where that point lies in the tables.
-inline uint32_t jointOffset(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
-    const uint32_t index = jointIndex(seed, sampleid, slot, split);
+WELLSTRAT_HOST_DEVICE inline uint32_t jointOffset(const JointOrders& orders, uint32_t seed,
+                                                  uint32_t sampleid, unsigned slot,
+                                                  unsigned split) {
+    const uint32_t index = jointIndex(orders, seed, sampleid, slot, split);
     return jointOffsetOf(seed, index / kTableSize, withReversedByte(index % kTableSize));
 }
 
 // Samples of split slots, and those beyond the first 4096 of a pattern.
 
-inline bool isOtherJoint(uint32_t sampleid, unsigned split) {
-    return WELLSTRAT_UNLIKELY(split != 1 || sampleid >= kTableSize);
+WELLSTRAT_HOST_DEVICE constexpr bool isOtherJoint(uint32_t sampleid, unsigned split) {
+    return WELLSTRAT_UNLIKELY(split != 1 || sampleid >= kInlinedSamples);
 }
 
-inline uint32_t otherJointOffset(uint32_t seed, uint32_t sampleid, unsigned slot, unsigned split) {
-    return split == 1 ? jointOffset(seed, sampleid, slot)
-                      : jointOffset(seed, sampleid, slot, split);
+WELLSTRAT_HOST_DEVICE inline uint32_t otherJointOffset(const JointOrders& orders, uint32_t seed,
+                                                       uint32_t sampleid, unsigned slot,
+                                                       unsigned split) {
+    return split == 1 ? jointOffset(orders, seed, sampleid, slot)
+                      : jointOffset(orders, seed, sampleid, slot, split);
 }
 
-WELLSTRAT_NOINLINE inline float otherJointSample1D(const uint32_t* words, uint32_t patternid,
-                                                   uint32_t sampleid, unsigned slot,
-                                                   unsigned split) {
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline float
+otherJointSample1D(const uint32_t* words, const JointOrders& orders, uint32_t patternid,
+                   uint32_t sampleid, unsigned slot, unsigned split) {
     if (isJointRandom(sampleid, split)) return randomSample1D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleZ(words, seed, otherJointOffset(seed, sampleid, slot, split));
+    return tableSampleZ(words, seed, otherJointOffset(orders, seed, sampleid, slot, split));
 }
 
-WELLSTRAT_NOINLINE inline Float2 otherJointSample2D(const uint32_t* words, uint32_t patternid,
-                                                    uint32_t sampleid, unsigned slot,
-                                                    unsigned split) {
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float2
+otherJointSample2D(const uint32_t* words, const JointOrders& orders, uint32_t patternid,
+                   uint32_t sampleid, unsigned slot, unsigned split) {
     if (isJointRandom(sampleid, split)) return randomSample2D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleXY(words, seed, otherJointOffset(seed, sampleid, slot, split));
+    return tableSampleXY(words, seed, otherJointOffset(orders, seed, sampleid, slot, split));
 }
 
-WELLSTRAT_NOINLINE inline Float3 otherJointSample3D(const uint32_t* words, uint32_t patternid,
-                                                    uint32_t sampleid, unsigned slot,
-                                                    unsigned split) {
+WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float3
+otherJointSample3D(const uint32_t* words, const JointOrders& orders, uint32_t patternid,
+                   uint32_t sampleid, unsigned slot, unsigned split) {
     if (isJointRandom(sampleid, split)) return randomSample3D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleXYZ(words, seed, otherJointOffset(seed, sampleid, slot, split));
+    return tableSampleXYZ(words, seed, otherJointOffset(orders, seed, sampleid, slot, split));
 }
 
 } // namespace detail
 
 /// Sample `sampleid` of pattern `patternid`, drawn from a slot under splits by `split` in all, from
-/// the tables at `words`: z, (x, y) and (x, y, z) of its point in [0, 1). Any two integers are
-/// valid. Safe in any thread.
-inline float jointSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
-                           unsigned slot, unsigned split) {
+/// the tables at `words` by these orders: z, (x, y) and (x, y, z) of its point in [0, 1). Any two
+/// integers are valid. Safe in any thread.
+WELLSTRAT_HOST_DEVICE inline float jointSample1D(const uint32_t* words,
+                                                 const detail::JointOrders& orders,
+                                                 uint32_t patternid, uint32_t sampleid,
+                                                 unsigned slot, unsigned split) {
     if (detail::isOtherJoint(sampleid, split)) {
-        return detail::otherJointSample1D(words, patternid, sampleid, slot, split);
+        return detail::otherJointSample1D(words, orders, patternid, sampleid, slot, split);
     }
     const uint32_t seed = patternSeed(patternid);
-    return tableSampleZ(words, seed, detail::jointOffset(seed, sampleid, slot));
+    return tableSampleZ(words, seed, detail::jointOffset(orders, seed, sampleid, slot));
+}
+WELLSTRAT_HOST_DEVICE inline Float2 jointSample2D(const uint32_t* words,
+                                                  const detail::JointOrders& orders,
+                                                  uint32_t patternid, uint32_t sampleid,
+                                                  unsigned slot, unsigned split) {
+    if (detail::isOtherJoint(sampleid, split)) {
+        return detail::otherJointSample2D(words, orders, patternid, sampleid, slot, split);
+    }
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleXY(words, seed, detail::jointOffset(orders, seed, sampleid, slot));
+}
+WELLSTRAT_HOST_DEVICE inline Float3 jointSample3D(const uint32_t* words,
+                                                  const detail::JointOrders& orders,
+                                                  uint32_t patternid, uint32_t sampleid,
+                                                  unsigned slot, unsigned split) {
+    if (detail::isOtherJoint(sampleid, split)) {
+        return detail::otherJointSample3D(words, orders, patternid, sampleid, slot, split);
+    }
+    const uint32_t seed = patternSeed(patternid);
+    return tableSampleXYZ(words, seed, detail::jointOffset(orders, seed, sampleid, slot));
+}
+
+/// The same by the orders of the process.
+inline float jointSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
+                           unsigned slot, unsigned split) {
+    return jointSample1D(words, detail::kJointOrders, patternid, sampleid, slot, split);
 }
 inline Float2 jointSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
-    if (detail::isOtherJoint(sampleid, split)) {
-        return detail::otherJointSample2D(words, patternid, sampleid, slot, split);
-    }
-    const uint32_t seed = patternSeed(patternid);
-    return tableSampleXY(words, seed, detail::jointOffset(seed, sampleid, slot));
+    return jointSample2D(words, detail::kJointOrders, patternid, sampleid, slot, split);
 }
 inline Float3 jointSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid,
                             unsigned slot, unsigned split) {
-    if (detail::isOtherJoint(sampleid, split)) {
-        return detail::otherJointSample3D(words, patternid, sampleid, slot, split);
-    }
-    const uint32_t seed = patternSeed(patternid);
-    return tableSampleXYZ(words, seed, detail::jointOffset(seed, sampleid, slot));
+    return jointSample3D(words, detail::kJointOrders, patternid, sampleid, slot, split);
 }
 
 } // namespace stream1

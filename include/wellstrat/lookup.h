@@ -104,25 +104,29 @@ namespace detail {
 
 // Samples beyond the first 4096 of a pattern.
 
+/// Samples from this one on have code of their own, which is not inlined. The threads of a GPU run
+/// in step and would all wait for one that goes another way, so there it is only what has no table.
+constexpr uint32_t kInlinedSamples = WELLSTRAT_DEVICE_CODE ? kStratifiedSamples : kTableSize;
+
 WELLSTRAT_HOST_DEVICE constexpr bool isLater(uint32_t sampleid) {
-    return WELLSTRAT_UNLIKELY(sampleid >= kTableSize);
+    return WELLSTRAT_UNLIKELY(sampleid >= kInlinedSamples);
 }
 
-WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline float
+WELLSTRAT_HOST_DEVICE WELLSTRAT_HOST_NOINLINE inline float
 laterSample1D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample1D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleZ(words, seed, sampleOffset(seed, sampleid));
 }
 
-WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float2
+WELLSTRAT_HOST_DEVICE WELLSTRAT_HOST_NOINLINE inline Float2
 laterSample2D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample2D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);
     return tableSampleXY(words, seed, sampleOffset(seed, sampleid));
 }
 
-WELLSTRAT_HOST_DEVICE WELLSTRAT_NOINLINE inline Float3
+WELLSTRAT_HOST_DEVICE WELLSTRAT_HOST_NOINLINE inline Float3
 laterSample3D(const uint32_t* words, uint32_t patternid, uint32_t sampleid) {
     if (sampleid >= kStratifiedSamples) return randomSample3D(patternid, sampleid);
     const uint32_t seed = patternSeed(patternid);

@@ -17,6 +17,13 @@
 #define WELLSTRAT_HOST_DEVICE
 #endif
 
+/// Where that is compiled for a GPU.
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+#define WELLSTRAT_DEVICE_CODE 1
+#else
+#define WELLSTRAT_DEVICE_CODE 0
+#endif
+
 /// On the compiled functions and data of the library, whose other symbols stay hidden.
 #if defined(_WIN32)
 #define WELLSTRAT_API
@@ -24,14 +31,19 @@
 #define WELLSTRAT_API __attribute__((visibility("default")))
 #endif
 
-/// On functions for rare cases, to keep their code out of their callers', and around the conditions
-/// of these cases.
-#if defined(__GNUC__) && !defined(__CUDACC__)
+/// On functions for rare cases, to keep their code out of their callers', on those where only the
+/// host gains from that, and around the conditions of these cases.
+#if defined(__GNUC__)
 #define WELLSTRAT_NOINLINE __attribute__((noinline))
 #define WELLSTRAT_UNLIKELY(condition) __builtin_expect(condition, false)
 #else
 #define WELLSTRAT_NOINLINE
 #define WELLSTRAT_UNLIKELY(condition) (condition)
+#endif
+#if WELLSTRAT_DEVICE_CODE
+#define WELLSTRAT_HOST_NOINLINE
+#else
+#define WELLSTRAT_HOST_NOINLINE WELLSTRAT_NOINLINE
 #endif
 
 /// Where four words can be held in one register by the vector types that g++ and clang share. A

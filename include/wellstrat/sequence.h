@@ -119,7 +119,7 @@ extern WELLSTRAT_API const FloatsOfBytes kFloatsOfBytes;
 /// The first 24 digits, the first in bit 0, as a number: toUnitFloat(reverseBits(digits)). Its
 /// three parts have no digit in common, so that sums in any order are exact.
 WELLSTRAT_HOST_DEVICE inline float floatOfDigits(uint32_t digits) {
-#if defined(__CUDA_ARCH__)
+#if WELLSTRAT_DEVICE_CODE
     return stream1::toUnitFloat(reverseBits(digits));
 #else
     const FloatsOfBytes& floats = kFloatsOfBytes;
@@ -142,6 +142,19 @@ WELLSTRAT_HOST_DEVICE inline Float2 scrambledSampleXY(PointDigits point, uint32_
 WELLSTRAT_HOST_DEVICE inline Float3 scrambledSampleXYZ(PointDigits point, uint32_t seed) {
     const Float2 xy = scrambledSampleXY(point, seed);
     return {xy.x, xy.y, scrambledSampleZ(point, seed)};
+}
+
+/// The same bits themselves, as fractions of 2^32.
+WELLSTRAT_HOST_DEVICE constexpr uint32_t scrambledBitsZ(PointDigits point, uint32_t seed) {
+    return scrambledBits(point.z, seed, Coordinate::z);
+}
+WELLSTRAT_HOST_DEVICE constexpr Bits2 scrambledBitsXY(PointDigits point, uint32_t seed) {
+    return {scrambledBits(point.x, seed, Coordinate::x),
+            scrambledBits(point.y, seed, Coordinate::y)};
+}
+WELLSTRAT_HOST_DEVICE constexpr Bits3 scrambledBitsXYZ(PointDigits point, uint32_t seed) {
+    const Bits2 xy = scrambledBitsXY(point, seed);
+    return {xy.x, xy.y, scrambledBitsZ(point, seed)};
 }
 
 /// The index of the point of sample `sampleid` of a pattern with this seed: its nested shuffle, by
@@ -170,7 +183,7 @@ WELLSTRAT_API PointDigits laterPoint(uint32_t seed, uint32_t sampleid);
 
 /// sequenceDigits(sequenceIndex(seed, sampleid)).
 WELLSTRAT_HOST_DEVICE inline PointDigits sequencePoint(uint32_t seed, uint32_t sampleid) {
-#if defined(__CUDA_ARCH__)
+#if WELLSTRAT_DEVICE_CODE
     return sequenceDigits(sequenceIndex(seed, sampleid));
 #else
     if (WELLSTRAT_UNLIKELY(sampleid >= 0x10000u)) return detail::laterPoint(seed, sampleid);

@@ -8,11 +8,12 @@
 
 #include "wellstrat/platform.h"
 
+#include <cstdint>
 #include <type_traits>
 
 // <cmath> is 20,000 lines, most of what including RixRNG.h would cost, so it is left out where the
 // compiler has the two functions built in.
-#if defined(__GNUC__) && !defined(__CUDACC__) && !defined(__HIPCC__)
+#if defined(__GNUC__) && (defined(__clang__) || !defined(__CUDACC__))
 #define WELLSTRAT_BUILTIN_MATH 1
 #else
 #define WELLSTRAT_BUILTIN_MATH 0
@@ -25,8 +26,10 @@ inline namespace stream1 {
 namespace detail {
 
 #if WELLSTRAT_BUILTIN_MATH
-inline float squareRoot(float x) { return __builtin_sqrtf(x); }
-inline float copySign(float magnitude, float sign) { return __builtin_copysignf(magnitude, sign); }
+WELLSTRAT_HOST_DEVICE inline float squareRoot(float x) { return __builtin_sqrtf(x); }
+WELLSTRAT_HOST_DEVICE inline float copySign(float magnitude, float sign) {
+    return __builtin_copysignf(magnitude, sign);
+}
 #else
 WELLSTRAT_HOST_DEVICE inline float squareRoot(float x) { return std::sqrt(x); }
 WELLSTRAT_HOST_DEVICE inline float copySign(float magnitude, float sign) {
@@ -37,6 +40,15 @@ WELLSTRAT_HOST_DEVICE inline float copySign(float magnitude, float sign) {
 } // namespace detail
 
 #undef WELLSTRAT_BUILTIN_MATH
+
+/// Two and three coordinates of a sample as fractions of 2^32: the upper 24 bits of each are its
+/// float. Not initialized by default.
+struct Bits2 {
+    uint32_t x, y;
+};
+struct Bits3 {
+    uint32_t x, y, z;
+};
 
 /// A 2D sample or point. Not initialized by default: arrays of it cost nothing.
 struct Float2 {

@@ -5,6 +5,8 @@
 #include "batch/kernels.h"
 #include "core/order_check.h"
 #include "wellstrat/batch_target.h"
+#include "wellstrat/blue_lookup.h"
+#include "wellstrat/sequence.h"
 #include "wellstrat/tables.h"
 
 #include <atomic>
@@ -29,6 +31,20 @@ const Kernels* kernelsAt(unsigned index) {
 
 /// The kernels of a draw do not write to the contexts when the step is 0.
 SampleCtx* readOnly(const SampleCtx* contexts) { return const_cast<SampleCtx*>(contexts); }
+
+/// All bits of the samples, by kBits of a point and its seed.
+template <auto kBits, typename Bits>
+void drawBlueBits(std::size_t n, const SampleCtx* contexts, Order order, Bits* bits) {
+    const bool inSlot = detail::hasSlot(order);
+    for (std::size_t i = 0; i < n; ++i) {
+        const SampleCtx sc = contexts[i];
+        const detail::BluePoint point =
+            inSlot ? detail::blueSlotPoint(detail::kBlueTables, detail::kSlotOrders, sc.patternid,
+                                           sc.sampleid, order.slot, order.splits)
+                   : detail::bluePoint(detail::kBlueTables, sc.patternid, sc.sampleid);
+        bits[i] = kBits(point.digits, point.seed);
+    }
+}
 
 } // namespace
 
@@ -172,6 +188,45 @@ void drawBlueSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, O
     if (n == 0) return;
     chosenKernels().drawBlue3D(n, contexts.first(n, __func__), order.slot, order.splits,
                                xis.first(n, __func__));
+}
+
+void drawSequenceBits1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                        ArrayArgument<uint32_t> bits) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawSequenceBits1D(n, contexts.first(n, __func__), order.slot, order.splits,
+                                       bits.first(n, __func__));
+}
+
+void drawSequenceBits2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                        ArrayArgument<Bits2> bits) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawSequenceBits2D(n, contexts.first(n, __func__), order.slot, order.splits,
+                                       bits.first(n, __func__));
+}
+
+void drawSequenceBits3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                        ArrayArgument<Bits3> bits) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    chosenKernels().drawSequenceBits3D(n, contexts.first(n, __func__), order.slot, order.splits,
+                                       bits.first(n, __func__));
+}
+
+void drawBlueBits1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                    ArrayArgument<uint32_t> bits) {
+    drawBlueBits<scrambledBitsZ>(n, contexts.first(n, __func__), order, bits.first(n, __func__));
+}
+
+void drawBlueBits2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                    ArrayArgument<Bits2> bits) {
+    drawBlueBits<scrambledBitsXY>(n, contexts.first(n, __func__), order, bits.first(n, __func__));
+}
+
+void drawBlueBits3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                    ArrayArgument<Bits3> bits) {
+    drawBlueBits<scrambledBitsXYZ>(n, contexts.first(n, __func__), order, bits.first(n, __func__));
 }
 
 void newDomains(std::size_t n, ArrayArgument<const SampleCtx> parents, Scramble scramble,

@@ -37,6 +37,12 @@ struct Kernels {
                            Float2* xis);
     void (*drawSequence3D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
                            Float3* xis);
+    void (*drawSequenceBits1D)(std::size_t n, const SampleCtx* contexts, unsigned slot,
+                               unsigned split, uint32_t* bits);
+    void (*drawSequenceBits2D)(std::size_t n, const SampleCtx* contexts, unsigned slot,
+                               unsigned split, Bits2* bits);
+    void (*drawSequenceBits3D)(std::size_t n, const SampleCtx* contexts, unsigned slot,
+                               unsigned split, Bits3* bits);
     void (*drawBlue1D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
                        float* xis);
     void (*drawBlue2D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,

@@ -39,6 +39,19 @@ void drawComputed(std::size_t n, const SampleCtx* contexts, unsigned slot, unsig
     }
 }
 
+/// All bits of the samples, by kBits of a point and its seed.
+template <auto kBits, typename Bits>
+void drawSequenceBits(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                      Bits* bits) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const uint32_t sampleid = contexts[i].sampleid;
+        const uint32_t seed = sequenceSeed(contexts[i].patternid);
+        bits[i] = kBits(slot == kJointSlots ? sequencePoint(seed, sampleid)
+                                            : slotDigits(seed, sampleid, slot, split),
+                        seed);
+    }
+}
+
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                      unsigned newnumsamples, SampleCtx* children) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -76,6 +89,12 @@ void hashToRandom(std::size_t n, const SampleCtx* contexts, float* xis) {
 using Sample1D = float (*)(const uint32_t*, uint32_t, uint32_t);
 using Sample2D = Float2 (*)(const uint32_t*, uint32_t, uint32_t);
 using Sample3D = Float3 (*)(const uint32_t*, uint32_t, uint32_t);
+template <typename Sample>
+using Joint = Sample (*)(const uint32_t*, uint32_t, uint32_t, unsigned, unsigned);
+template <typename Sample>
+using Computed = Sample (*)(uint32_t, uint32_t);
+template <typename Sample>
+using Slot = Sample (*)(uint32_t, uint32_t, unsigned, unsigned);
 
 } // namespace
 
@@ -84,15 +103,18 @@ const Kernels kScalarKernels = {
     draw<static_cast<Sample1D>(sample1D)>,
     draw<static_cast<Sample2D>(sample2D)>,
     draw<static_cast<Sample3D>(sample3D)>,
-    drawJoint<jointSample1D>,
-    drawJoint<jointSample2D>,
-    drawJoint<jointSample3D>,
-    drawComputed<sequenceSample1D, jointSequenceSample1D>,
-    drawComputed<sequenceSample2D, jointSequenceSample2D>,
-    drawComputed<sequenceSample3D, jointSequenceSample3D>,
-    drawComputed<blueSample1D, blueSlotSample1D>,
-    drawComputed<blueSample2D, blueSlotSample2D>,
-    drawComputed<blueSample3D, blueSlotSample3D>,
+    drawJoint<Joint<float>{jointSample1D}>,
+    drawJoint<Joint<Float2>{jointSample2D}>,
+    drawJoint<Joint<Float3>{jointSample3D}>,
+    drawComputed<Computed<float>{sequenceSample1D}, Slot<float>{jointSequenceSample1D}>,
+    drawComputed<Computed<Float2>{sequenceSample2D}, Slot<Float2>{jointSequenceSample2D}>,
+    drawComputed<Computed<Float3>{sequenceSample3D}, Slot<Float3>{jointSequenceSample3D}>,
+    drawSequenceBits<scrambledBitsZ>,
+    drawSequenceBits<scrambledBitsXY>,
+    drawSequenceBits<scrambledBitsXYZ>,
+    drawComputed<Computed<float>{blueSample1D}, Slot<float>{blueSlotSample1D}>,
+    drawComputed<Computed<Float2>{blueSample2D}, Slot<Float2>{blueSlotSample2D}>,
+    drawComputed<Computed<Float3>{blueSample3D}, Slot<Float3>{blueSlotSample3D}>,
     newDomainsSplit,
     newDomainsDistrib,
     newBlueDomainsSplit,

@@ -77,7 +77,9 @@ private:
         HWY_ALIGN uint32_t ids[kLanes];
         HWY_ALIGN uint32_t both[kLanes];
         hn::Store(sampleid, kWords, ids);
-        for (std::size_t i = 0; i < kLanes; ++i) both[i] = detail::slotPlaces(0, slot_, ids[i]);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            both[i] = detail::slotPlaces(detail::kSlotOrders, 0, slot_, ids[i]);
+        }
         sampleid_ = sampleid;
         places_ = hn::And(hn::Load(kWords, both), constant(0xffff));
         swapped_ = hn::ShiftRight<16>(hn::Load(kWords, both));
@@ -101,7 +103,8 @@ public:
         hn::Store(seed, kWords, seeds);
         hn::Store(sampleid, kWords, words);
         for (std::size_t i = 0; i < kLanes; ++i) {
-            words[i] = detail::splitSlotIndex(seeds[i], words[i], slot_, split_);
+            words[i] =
+                detail::splitSlotIndex(detail::kSlotOrders, seeds[i], words[i], slot_, split_);
         }
         return sequenceDigits(hn::Load(kWords, words));
     }

@@ -57,6 +57,21 @@ void drawSequence3D(std::size_t n, const SampleCtx* contexts, unsigned slot, uns
     draw(n, contexts, slot, split, xis);
 }
 
+void drawSequenceBits1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        uint32_t* bits) {
+    draw(n, contexts, slot, split, bits);
+}
+
+void drawSequenceBits2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        Bits2* bits) {
+    draw(n, contexts, slot, split, bits);
+}
+
+void drawSequenceBits3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        Bits3* bits) {
+    draw(n, contexts, slot, split, bits);
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace batch
 } // namespace stream1

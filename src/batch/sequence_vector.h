@@ -16,6 +16,7 @@
 #include "hwy/highway.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace wellstrat {
 inline namespace stream1 {
@@ -28,6 +29,12 @@ void drawSequence2D(std::size_t n, const SampleCtx* contexts, unsigned slot, uns
                     Float2* xis);
 void drawSequence3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
                     Float3* xis);
+void drawSequenceBits1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        uint32_t* bits);
+void drawSequenceBits2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        Bits2* bits);
+void drawSequenceBits3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                        Bits3* bits);
 
 } // namespace HWY_NAMESPACE
 } // namespace batch

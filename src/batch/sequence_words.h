@@ -140,6 +140,10 @@ HWY_INLINE F scrambledSample(V digits, const OwenKey& key) {
         mapped(kByteMaps.reversed, nibblesOf(bytesOf<2, 1, 0, kNone>(owenHash(digits, key)))));
 }
 
+HWY_INLINE V scrambledBits(V digits, const OwenKey& key) {
+    return reverseBits(owenHash(digits, key));
+}
+
 /// scrambledSampleZ, XY and XYZ of a vector of points, into xis[0, kLanes).
 HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys, float* xis) {
     hn::StoreU(scrambledSample(point.z, keys.z), kFloats, xis);
@@ -151,6 +155,21 @@ HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& 
 HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys, Float3* xis) {
     hn::StoreInterleaved3(scrambledSample(point.x, keys.x), scrambledSample(point.y, keys.y),
                           scrambledSample(point.z, keys.z), kFloats, reinterpret_cast<float*>(xis));
+}
+
+/// scrambledBitsZ, XY and XYZ of them.
+HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys,
+                               uint32_t* bits) {
+    hn::StoreU(scrambledBits(point.z, keys.z), kWords, bits);
+}
+HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys, Bits2* bits) {
+    hn::StoreInterleaved2(scrambledBits(point.x, keys.x), scrambledBits(point.y, keys.y), kWords,
+                          reinterpret_cast<uint32_t*>(bits));
+}
+HWY_INLINE void storeScrambled(const PointVectors& point, const ScramblingKeys& keys, Bits3* bits) {
+    hn::StoreInterleaved3(scrambledBits(point.x, keys.x), scrambledBits(point.y, keys.y),
+                          scrambledBits(point.z, keys.z), kWords,
+                          reinterpret_cast<uint32_t*>(bits));
 }
 
 } // namespace HWY_NAMESPACE

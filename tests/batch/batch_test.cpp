@@ -118,7 +118,7 @@ protected:
         }
     }
 
-    template <typename Sample, typename Draw, typename Scalar>
+    template <typename Sample, typename Draw, typename Scalar = Sample (*)(uint32_t, uint32_t)>
     void checkPaddedDraws(Draw draw, Scalar scalar) {
         forBatches([&](const std::vector<SampleCtx>& contexts) {
             checkOrdered<Sample>(contexts, draw, Order{}, scalar);
@@ -126,7 +126,8 @@ protected:
     }
 
     /// With splits of all kinds: odd, powers of 2, both, and the largest.
-    template <typename Sample, typename Draw, typename Scalar>
+    template <typename Sample, typename Draw,
+              typename Scalar = Sample (*)(uint32_t, uint32_t, unsigned, unsigned)>
     void checkJointDraws(Draw draw, Scalar scalar) {
         unsigned slot = 0;
         for (const unsigned split : {1u, 2u, 3u, 8u, 12u, 100u, 255u, 256u}) {
@@ -198,6 +199,42 @@ TEST_P(BatchTarget, SequenceDraws2D) {
 TEST_P(BatchTarget, SequenceDraws3D) {
     checkPaddedDraws<Float3>(drawSequenceSamples3D, sequenceSample3D);
     checkJointDraws<Float3>(drawSequenceSamples3D, jointSequenceSample3D);
+}
+
+/// All bits of a sample, by those of its coordinates: bits(coordinate).
+template <typename Bits, typename OfCoordinate>
+Bits allBits(OfCoordinate bits) {
+    if constexpr (std::is_same_v<Bits, uint32_t>) {
+        return bits(Coordinate::z);
+    } else if constexpr (std::is_same_v<Bits, Bits2>) {
+        return {bits(Coordinate::x), bits(Coordinate::y)};
+    } else {
+        return {bits(Coordinate::x), bits(Coordinate::y), bits(Coordinate::z)};
+    }
+}
+
+template <typename Bits>
+Bits bitsOfSequence(unsigned p, unsigned s) {
+    return allBits<Bits>([=](Coordinate c) { return sequenceBits(p, s, c); });
+}
+template <typename Bits>
+Bits bitsOfSlot(unsigned p, unsigned s, unsigned slot, unsigned split) {
+    return allBits<Bits>([=](Coordinate c) { return jointSequenceBits(p, s, slot, split, c); });
+}
+
+TEST_P(BatchTarget, SequenceBits1D) {
+    checkPaddedDraws<uint32_t>(drawSequenceBits1D, bitsOfSequence<uint32_t>);
+    checkJointDraws<uint32_t>(drawSequenceBits1D, bitsOfSlot<uint32_t>);
+}
+
+TEST_P(BatchTarget, SequenceBits2D) {
+    checkPaddedDraws<Bits2>(drawSequenceBits2D, bitsOfSequence<Bits2>);
+    checkJointDraws<Bits2>(drawSequenceBits2D, bitsOfSlot<Bits2>);
+}
+
+TEST_P(BatchTarget, SequenceBits3D) {
+    checkPaddedDraws<Bits3>(drawSequenceBits3D, bitsOfSequence<Bits3>);
+    checkJointDraws<Bits3>(drawSequenceBits3D, bitsOfSlot<Bits3>);
 }
 
 // Every sampleid for which vector code divides, by every split: it divides in floats, which must be
@@ -298,6 +335,30 @@ TEST_P(BatchTarget, AnyAlignment) {
     }
 }
 
+/// The bits of a point of blue_lookup.h.
+template <typename Bits>
+Bits bitsOfPoint(const detail::BluePoint& point) {
+    return allBits<Bits>(
+        [&](Coordinate c) { return scrambledBits(digitsOf(point.digits, c), point.seed, c); });
+}
+template <typename Bits>
+Bits bitsOfBlue(unsigned p, unsigned s) {
+    return bitsOfPoint<Bits>(detail::bluePoint(p, s));
+}
+template <typename Bits>
+Bits bitsOfBlueSlot(unsigned p, unsigned s, unsigned slot, unsigned split) {
+    return bitsOfPoint<Bits>(detail::blueSlotPoint(p, s, slot, split));
+}
+
+TEST_P(BatchTarget, BlueBits) {
+    checkPaddedDraws<uint32_t>(drawBlueBits1D, bitsOfBlue<uint32_t>);
+    checkJointDraws<uint32_t>(drawBlueBits1D, bitsOfBlueSlot<uint32_t>);
+    checkPaddedDraws<Bits2>(drawBlueBits2D, bitsOfBlue<Bits2>);
+    checkJointDraws<Bits2>(drawBlueBits2D, bitsOfBlueSlot<Bits2>);
+    checkPaddedDraws<Bits3>(drawBlueBits3D, bitsOfBlue<Bits3>);
+    checkJointDraws<Bits3>(drawBlueBits3D, bitsOfBlueSlot<Bits3>);
+}
+
 INSTANTIATE_TEST_SUITE_P(Targets, BatchTarget, testing::ValuesIn(targets()),
                          [](const auto& target) { return target.param; });
 
@@ -316,6 +377,8 @@ TEST(Batch, NothingIsReadOrWrittenForZeroPoints) {
     drawJointSamples2D(0, nullptr, jointOrder(0), nullptr);
     drawSequenceSamples1D(0, nullptr, {}, nullptr);
     drawBlueSamples2D(0, nullptr, jointOrder(0, 3), nullptr);
+    drawBlueBits3D(0, nullptr, {}, nullptr);
+    drawSequenceBits2D(0, nullptr, jointOrder(0), nullptr);
     newBlueDomainsDistrib(0, nullptr, kScramble, 0, nullptr);
     drawSequenceSamples3D(0, nullptr, jointOrder(0, 3), nullptr);
     newDomainsDistrib(0, nullptr, kScramble, 0, nullptr);

@@ -45,6 +45,23 @@ class TablesTest(CliTest):
         rounded = array.array("f", [float(literal) for literal in literals])
         self.assert_same([value * 2**32 for value in rounded], values)
 
+    def test_layouts_hold_the_same_points_in_the_order_of_memory(self):
+        everything = words(self.export("words.bin", "--layout", "words"))
+        xy = words(self.export("xy.bin", "--layout", "xy"))
+        z = words(self.export("z.bin", "--layout", "z"))
+        self.assert_same(everything, xy + z)
+        kind, shape, data = read_npy(self.export("z.npy", "--layout", "z"))
+        self.assertEqual((kind, shape), ("<u4", (TABLES * SIZE,)))
+        self.assert_same(words(data), z)
+
+        values = words(self.export("tables.bin"))
+        for table, sample in ((0, 0), (0, 1), (1, 0), (7, 300), (383, 4095)):
+            place = ((sample // 256) * TABLES + table) * 256 + int(f"{sample % 256:08b}"[::-1], 2)
+            point = xy[place] * (2**32 - 61679)
+            start = (table * SIZE + sample) * 3
+            expected = [(word % 2**32) & 0xFFFFFF00 for word in (point, point >> 32, z[place])]
+            self.assertEqual(list(values[start:start + 3]), expected)
+
     @unittest.skipUnless(shutil.which("cc"), "no C compiler")
     def test_header_is_plain_c(self):
         """The first and last tables only: a compiler takes long over all of them."""

@@ -135,8 +135,8 @@ bool fillsStrataOfZ(unsigned runLog2, unsigned rankBits, Digits digits) {
 TEST(BlueNets, HoldForAllRunsAndBlocks) {
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
         const auto digits = [&](uint32_t index, uint32_t rank) {
-            return detail::movedDigits(slotDigits(0, index, slot, 1),
-                                       detail::rankDigits(slot, rank), 0);
+            return detail::movedDigits(slotDigits(detail::kSlotOrders, 0, index, slot, 1),
+                                       detail::rankDigits(detail::kBlueTables, slot, rank), 0);
         };
         for (unsigned a = 0; a <= 6; ++a) {
             for (unsigned k = 0; k <= 12; ++k) {
@@ -150,7 +150,8 @@ TEST(BlueNets, HoldForAllRunsAndBlocks) {
 // In padded domains for runs of any length, since they have no blocks of 4096.
 TEST(BlueNets, PaddedHoldForLongRuns) {
     const auto digits = [&](uint32_t index, uint32_t rank) {
-        return detail::movedDigits(sequenceDigits(index), detail::rankDigits(0, rank), 0);
+        return detail::movedDigits(sequenceDigits(index),
+                                   detail::rankDigits(detail::kBlueTables, 0, rank), 0);
     };
     for (unsigned a = 0; a <= 6; ++a) {
         for (unsigned k = 0; k + 2 * a <= 32; ++k) {
@@ -162,7 +163,7 @@ TEST(BlueNets, PaddedHoldForLongRuns) {
 
 TEST(BlueDigits, AreThoseOfTheRank) {
     for (uint32_t rank = 0; rank < kRanks; ++rank) {
-        const PointDigits digits = detail::rankDigits(0, rank);
+        const PointDigits digits = detail::rankDigits(detail::kBlueTables, 0, rank);
         ASSERT_EQ(digits.x, rankTimes(rankMatrix(0), rank)) << rank;
         ASSERT_EQ(digits.y, rankTimes(rankMatrix(1), rank)) << rank;
         ASSERT_EQ(digits.z, rankTimes(rankMatrix(2), rank)) << rank;
@@ -191,7 +192,7 @@ TEST(BlueTiles, AreQuadtrees) {
     for (unsigned place = 0; place < kRanks; ++place) {
         EXPECT_EQ(detail::kBlueTables.slots[place], kRankTileSlots[place]);
         const uint32_t hash = HashToUnsigned(place, 1);
-        EXPECT_EQ(detail::kBlueTables.padded[detail::paddedPlace(place, hash)],
+        EXPECT_EQ(detail::kBlueTables.padded[detail::paddedPlace(detail::kBlueTables, place, hash)],
                   kRankTilePadded[detail::movedPlace(place, hash)]);
     }
 }

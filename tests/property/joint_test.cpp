@@ -123,10 +123,13 @@ TEST(JointSplit, IndicesAreAPermutationThatKeepsStarts) {
                 ASSERT_TRUE(coverage.isWholeStart()) << visit << " visits split by " << split;
             }
             for (unsigned branch = 0; branch < split; ++branch, ++sampleid) {
-                const uint32_t index = detail::jointIndex(seed, sampleid, slot, split);
+                const uint32_t index =
+                    detail::jointIndex(detail::kJointOrders, seed, sampleid, slot, split);
                 ASSERT_NO_FATAL_FAILURE(coverage.visit(index));
-                ASSERT_EQ(detail::jointIndex(seed, visit * split, slot, split) / split,
-                          index / split)
+                ASSERT_EQ(
+                    detail::jointIndex(detail::kJointOrders, seed, visit * split, slot, split) /
+                        split,
+                    index / split)
                     << "the branches of a visit stand together";
             }
         }
@@ -147,7 +150,9 @@ TEST(JointSplit, BranchesOfTwoSlotsAreNotInLockstep) {
             for (uint32_t visit = 0; visit < kVisits; ++visit) {
                 unsigned place[2];
                 for (unsigned d = 0; d < 2; ++d) {
-                    place[d] = detail::jointIndex(seeds[d], visit * split, i + d, split) % split;
+                    place[d] = detail::jointIndex(detail::kJointOrders, seeds[d], visit * split,
+                                                  i + d, split) %
+                               split;
                 }
                 ++pairs[place[0] * split + place[1]];
             }

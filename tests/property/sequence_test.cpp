@@ -157,12 +157,12 @@ TEST_P(SequenceSlot, BlocksHaveTheOrderOfTheBank) {
         seen[seed >> 31] = true;
         for (const uint32_t block : {0u, 1u, 2u, 77u, (1u << (32 - kBankDigits)) - 1}) {
             const uint32_t first = block << kBankDigits;
-            const PointDigits start = slotDigits(seed, first, slot, 1);
+            const PointDigits start = slotDigits(detail::kSlotOrders, seed, first, slot, 1);
             if (block == 0) {
                 ASSERT_EQ(start.x | start.y | start.z, 0u);
             }
             for (uint32_t k = 0; k < (1u << kBankDigits); k += 1 + block * 5) {
-                const PointDigits point = slotDigits(seed, first + k, slot, 1);
+                const PointDigits point = slotDigits(detail::kSlotOrders, seed, first + k, slot, 1);
                 const uint32_t place = referenceSlotPlace(seed, slot, k);
                 ASSERT_EQ(point.x ^ start.x, place);
                 ASSERT_EQ(point.y ^ start.y, pascalTimes(place));
@@ -217,7 +217,7 @@ TEST(SequenceSlots, IndicesAreAPermutationThatKeepsStarts) {
                     ASSERT_EQ(above, count) << visit << " visits split by " << split;
                 }
             }
-            const uint32_t index = slotDigits(seed, sampleid, slot, split).x;
+            const uint32_t index = slotDigits(detail::kSlotOrders, seed, sampleid, slot, split).x;
             ASSERT_LT(index, seen.size());
             ASSERT_FALSE(seen[index]) << index << " comes twice";
             seen[index] = true;

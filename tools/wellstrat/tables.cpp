@@ -29,10 +29,16 @@ float32 values are the same fractions in [0, 1).
   .bin  the 4718592 numbers alone, 4 bytes each, little-endian: the number of (table, sample,
         coordinate) begins at byte 4 * ((table * 4096 + sample) * 3 + coordinate)
 
+With --layout they are what draws in GPU kernels read, uint32 words in the order of memory (.npy
+with one axis, or .bin): 'xy' has 384 x 4096 words for 2D draws, each of which stands for x and y
+of a point, 'z' as many for 1D draws, and 'words' the former and then the latter. docs/gpu.md says
+how to read them.
+
 Examples:
   wellstrat tables --export tables.npy
   wellstrat tables --export tables.bin --type float32
   wellstrat tables --export wellstrat_tables.h
+  wellstrat tables --export xy.bin --layout xy
 )";
 
 constexpr unsigned kCoordinates = 3;
@@ -95,6 +101,22 @@ void writeHeader(OutputFile& out, bool floats) {
     out.write("};\n\n#endif\n");
 }
 
+/// The words of a layout, as they are in memory.
+void exportWords(const std::string& path, const std::string& layout) {
+    if (layout != "words" && layout != "xy" && layout != "z") {
+        throw CliError(fmt::format("--layout: neither words, xy nor z: '{}'", layout));
+    }
+    const std::string suffix = requireSuffix("--export", path, {".npy", ".bin"});
+    const uint32_t first = layout == "z" ? kTablePoints : 0;
+    const uint32_t end = layout == "xy" ? kTablePoints : 2 * kTablePoints;
+    OutputFile out(path);
+    if (suffix == ".npy") out.write(npyHeader("<u4", {end - first}));
+    Buffer buffer;
+    for (uint32_t i = first; i < end; ++i) appendLittleEndian(buffer, tables()[i]);
+    out.write({buffer.data(), buffer.size()});
+    out.commit();
+}
+
 void exportTables(const std::string& path, const std::string& type) {
     if (type != "uint32" && type != "float32") {
         throw CliError(fmt::format("--type: neither uint32 nor float32: '{}'", type));
@@ -119,12 +141,23 @@ void addTables(CLI::App& app, int& /*exitCode*/) {
     CLI::App* const command = app.add_subcommand("tables", "Export the tables");
     const auto path = std::make_shared<std::string>();
     const auto type = std::make_shared<std::string>("uint32");
+    const auto layout = std::make_shared<std::string>();
     command->add_option("--export", *path, "The file to write: FILE.npy, FILE.h or FILE.bin")
         ->type_name("FILE")
         ->required();
-    command->add_option("--type", *type, "uint32 or float32 [uint32]")->type_name("NAME");
+    auto* const typeOption =
+        command->add_option("--type", *type, "uint32 or float32 [uint32]")->type_name("NAME");
+    command->add_option("--layout", *layout, "What kernels read: words, xy or z")
+        ->type_name("NAME")
+        ->excludes(typeOption);
     command->footer(kExamples);
-    command->callback([path, type] { exportTables(*path, *type); });
+    command->callback([path, type, layout] {
+        if (layout->empty()) {
+            exportTables(*path, *type);
+        } else {
+            exportWords(*path, *layout);
+        }
+    });
 }
 
 } // namespace wellstrat::cli
