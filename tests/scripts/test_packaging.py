@@ -45,7 +45,7 @@ class Debian(unittest.TestCase):
 
     def test_each_package_installs_something_and_each_file_belongs_to_one(self):
         packages = self.packages()
-        for name in packages:
+        for name in set(packages) - {"python3-wellstrat"}:  # which pybuild installs by its name
             self.assertTrue((DEBIAN / f"{name}.install").is_file(), name)
         for suffix in ("install", "manpages", "symbols", "docs"):
             for path in DEBIAN.glob(f"*.{suffix}"):
