@@ -66,6 +66,6 @@ int main() {
     for (unsigned count = 4; count <= 4096; count *= 4) {
         const double random = error(count, &drand48Generator);
         const double tables = error(count, nullptr);
-        std::printf("%7u %9.5f %9.5f %7.1f\n", count, random, tables, random / tables);
+        std::printf("%7u %9.5f %9.5f %7.2f\n", count, random, tables, tables / random);
     }
 }

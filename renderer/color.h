@@ -6,6 +6,8 @@
 
 #include "wellstrat/vector.h"
 
+#include <cmath>
+
 namespace wellstrat::render {
 
 constexpr Float3 multiply(Float3 a, Float3 b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
@@ -28,5 +30,13 @@ constexpr float clamp01(float x) {
     return x < 1.0f ? x : 1.0f;
 }
 constexpr Float3 clamp01(Float3 c) { return {clamp01(c.x), clamp01(c.y), clamp01(c.z)}; }
+
+/// IEC 61966-2-1, the transfer function of sRGB.
+inline float linearFromSrgb(float v) {
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+inline Float3 linearFromSrgb(Float3 c) {
+    return {linearFromSrgb(c.x), linearFromSrgb(c.y), linearFromSrgb(c.z)};
+}
 
 } // namespace wellstrat::render

@@ -139,6 +139,8 @@ struct Scene {
     std::optional<Camera> camera;     ///< the one that sees the picture
     bool cameraIsAutomatic = false;   ///< chosen by framing.h, for want of another
     float aspect = 1;                 ///< width / height that the scene was composed for
+    /// Those that a scene file names and that were read: textures, material libraries, buffers.
+    std::vector<std::string> files;
     /// What was replaced or left out of a scene file, one plain sentence each, for the user.
     std::vector<std::string> notes;
 };

@@ -59,15 +59,19 @@ auto readNamed(const char* what, const std::string& path, Read read) {
 /// A scene of nothing but an environment map.
 Scene environmentScene(const std::string& path) {
     Scene scene;
-    uint64_t replaced = 0;
+    ReplacedPixels replaced;
     scene.environment.emplace().map = std::make_shared<const Texture>(
         readTexture(path, Encoding::sRgb, Channels::colors, &replaced));
-    if (replaced > 0) {
-        scene.notes.push_back(
-            fmt::format("Pixels of the environment map that were negative, not finite or above 1e9 "
-                        "are replaced: {}.",
-                        replaced));
-    }
+    if (replaced.notFinite > 0)
+        scene.notes.push_back(fmt::format(
+            "{} pixels of the environment map are infinite or no numbers: they get the largest "
+            "value that is neither, {:g}.",
+            replaced.notFinite, replaced.largestFinite));
+    if (replaced.outOfRange > 0)
+        scene.notes.push_back(fmt::format(
+            "{} pixels of the environment map are negative or above 1e9: they get the nearest "
+            "value between.",
+            replaced.outOfRange));
     return scene;
 }
 

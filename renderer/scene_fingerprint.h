@@ -11,8 +11,8 @@
 namespace wellstrat::render {
 
 /// 16 hexadecimal digits that change with everything in the scene that can change an image: all
-/// but its notes, its aspect, and the cameras that were not chosen. A hash of 64 bits, against
-/// mistakes and not against malice.
+/// but the names of its files, its notes, its aspect, and the cameras that were not chosen. A hash
+/// of 64 bits, against mistakes and not against malice.
 std::string sceneFingerprint(const Scene& scene);
 
 } // namespace wellstrat::render

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -23,17 +24,7 @@ namespace {
 
 constexpr uint64_t kMaxPixels = uint64_t{1} << 27; // 16384 x 8192; 1.5 GiB in memory
 
-/// IEC 61966-2-1, the transfer function of sRGB.
-float linearFromSrgb(float v) {
-    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
-}
-
 constexpr float kLargestIntensity = 1e9f; // what light multiplies it with stays finite
-
-/// From 0 to kLargestIntensity; what is not finite becomes 0.
-float asIntensity(float v) {
-    return v > 0.0f && std::isfinite(v) ? std::min(v, kLargestIntensity) : 0.0f;
-}
 
 [[noreturn]] void fail(const std::string& reason) {
     const auto line = reason.substr(0, reason.find('\n'));
@@ -58,36 +49,65 @@ struct Format {
     bool isFloat;
 };
 
+bool isFinite(Float3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// The largest finite value, from 0 to kLargestIntensity.
+float largestFinite(const std::vector<Float3>& pixels) {
+    float largest = 0;
+    for (const Float3& pixel : pixels)
+        for (int c = 0; c < 3; ++c)
+            if (std::isfinite(pixel[c])) largest = std::max(largest, pixel[c]);
+    return std::min(largest, kLargestIntensity);
+}
+
+/// Makes all values those of light, as `readTexture` says.
+ReplacedPixels makeUsable(std::vector<Float3>& pixels) {
+    ReplacedPixels replaced;
+    replaced.largestFinite = largestFinite(pixels);
+    for (Float3& pixel : pixels) {
+        const Float3 stored = pixel;
+        for (int c = 0; c < 3; ++c) {
+            if (std::isnan(pixel[c]) || pixel[c] > FLT_MAX)
+                pixel[c] = replaced.largestFinite;
+            else
+                pixel[c] = pixel[c] > 0.0f ? std::min(pixel[c], kLargestIntensity) : 0.0f;
+        }
+        if (!isFinite(stored))
+            ++replaced.notFinite;
+        else if (!(stored == pixel))
+            ++replaced.outOfRange;
+    }
+    return replaced;
+}
+
 /// Makes a texture of a picture with the colors or the alpha of its pixels, three numbers each.
 /// `fill` gets `pixels`, the first channel that is wanted, and how many of them.
 template <typename Fill>
 Texture textureOf(uint64_t width, uint64_t height, Format format, Encoding encoding,
-                  Channels channels, uint64_t* replaced, Fill fill) {
+                  Channels channels, ReplacedPixels* replaced, Fill fill) {
     if (width * height > kMaxPixels)
         fail(fmt::format("has {} x {} pixels, more than 2^27", width, height));
     const auto columns = static_cast<unsigned>(width), rows = static_cast<unsigned>(height);
     std::vector<Float3> pixels(width * height, Float3(1.0f));
-    const bool isAlpha = channels == Channels::alpha;
-    if (isAlpha && format.alpha < 0) return {columns, rows, std::move(pixels)};
-    const bool isColor = !isAlpha && format.channels >= 3;
+    const bool isColors = channels == Channels::colors;
+    const bool isAlpha = !isColors && format.alpha >= 0;
+    if (channels == Channels::alpha && !isAlpha) return {columns, rows, std::move(pixels)};
+    const bool isGray = isAlpha || format.channels < 3;
+    fill(pixels, isAlpha ? format.alpha : 0, isGray ? 1 : 3);
+    if (isGray)
+        for (Float3& pixel : pixels) pixel.y = pixel.z = pixel.x;
+    const ReplacedPixels changed = makeUsable(pixels);
+    if (replaced) *replaced = changed;
     // Pictures of floats are linear whatever they are used for.
-    const bool decode = encoding == Encoding::sRgb && !isAlpha && !format.isFloat;
-    fill(pixels, isAlpha ? format.alpha : 0, isColor ? 3 : 1);
-    for (Float3& pixel : pixels) {
-        if (!isColor) pixel.y = pixel.z = pixel.x;
-        bool isChanged = false;
-        for (int c = 0; c < 3; ++c) {
-            const float v = asIntensity(pixel[c]);
-            isChanged = isChanged || v != pixel[c];
-            pixel[c] = decode ? linearFromSrgb(v) : v;
-        }
-        if (isChanged && replaced) ++*replaced;
-    }
+    if (encoding == Encoding::sRgb && isColors && !format.isFloat)
+        for (Float3& pixel : pixels) pixel = linearFromSrgb(pixel);
+    if (!isColors && !isGray)
+        for (Float3& pixel : pixels) pixel = Float3(luminance(pixel));
     return {columns, rows, std::move(pixels)};
 }
 
 Texture readPixels(OIIO::ImageInput& input, Encoding encoding, Channels channels,
-                   uint64_t* replaced) {
+                   ReplacedPixels* replaced) {
     const OIIO::ImageSpec& spec = input.spec();
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1 || spec.nchannels < 1)
         fail("has no pixels, or is no plain two-dimensional picture");
@@ -184,7 +204,7 @@ Float3 Texture::lookup(Float2 uv, TextureSampling sampling) const {
 }
 
 Texture readTexture(const std::string& path, Encoding encoding, Channels channels,
-                    uint64_t* replaced) {
+                    ReplacedPixels* replaced) {
     if (kHasWebp)
         if (const auto bytes = webpBytes(path); !bytes.empty())
             return readWebp(bytes, encoding, channels);

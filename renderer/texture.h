@@ -48,17 +48,25 @@ private:
 
 enum class Encoding { linear, sRgb };
 
-/// What of a picture is read: its colors as they are stored, not multiplied by alpha, or its alpha
-/// as a gray, which is 1 where the picture has none.
-enum class Channels { colors, alpha };
+/// What of a picture is read: its colors as they are stored, not multiplied by alpha; its alpha as
+/// a gray, which is 1 where the picture has none; or the same, which is the luminance there.
+enum class Channels { colors, alpha, alphaOrGray };
 
-/// Reads a picture in any format that OpenImageIO knows, of at most 2^27 pixels. Values that are
-/// NaN, infinite or negative become 0 and those above 1e9 become 1e9; the number of such pixels is
-/// added to `*replaced` unless that is null. `encoding` is that of colors in integers: floats and
+/// Pixels whose values were none of light.
+struct ReplacedPixels {
+    uint64_t notFinite = 0;  ///< infinite, or NaN
+    uint64_t outOfRange = 0; ///< others that are negative or above 1e9
+    float largestFinite = 0; ///< what stands for the infinite ones
+};
+
+/// Reads a picture in any format that OpenImageIO knows, of at most 2^27 pixels. Negative values
+/// become 0 and those above 1e9 become 1e9. What is infinite or NaN, as a sun too bright for the
+/// numbers of its file is, becomes the largest value of the picture that is neither. `replaced` is
+/// told of such pixels unless it is null. `encoding` is that of colors in integers: floats and
 /// alpha are linear. Throws std::runtime_error with one line that says why the picture cannot be
 /// read.
 Texture readTexture(const std::string& path, Encoding encoding,
-                    Channels channels = Channels::colors, uint64_t* replaced = nullptr);
+                    Channels channels = Channels::colors, ReplacedPixels* replaced = nullptr);
 
 /// The same from the bytes of a file in memory, such as one within a .glb. `formatHint` is the
 /// file name extension that it would have.

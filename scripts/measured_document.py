@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Documents that say what was measured: runs the commands that they show and writes their tables and
+"""Documents that say what was measured: runs the commands that they name and writes their tables and
 pictures anew. All between <!-- measured: NAME --> and <!-- end --> is written here.
 
 What scripts/docs-blue, docs-joint, docs-performance, docs-quality and docs-rendering share."""
@@ -50,7 +50,7 @@ def note(text):
 
 def write(document, parts, lab_class, description, examples):
     """The command line of a script: writes the parts of docs/`document` that are asked for. `parts`
-    are functions by name; each gets a `lab_class`, and returns what stands below its commands.
+    are functions by name; each gets a `lab_class`, and returns what stands above its commands.
     Pictures that it leaves in its folder as PNG files, named like the document, go to the docs."""
     parser = argparse.ArgumentParser(description=description, epilog=examples,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -73,11 +73,12 @@ def write(document, parts, lab_class, description, examples):
 
 
 def measured(part, lab_class, program, prefix):
-    """The commands of a part and its result, as Markdown; its pictures are copied."""
+    """The result of a part and, folded away, its commands, as Markdown; its pictures are copied."""
     with tempfile.TemporaryDirectory() as folder:
         lab = lab_class(program, folder)
         result = part(lab)
         commands = "".join(f"    {command}\n" for command in lab.commands)
+        how = f"<details><summary>How it was measured</summary>\n\n{commands}\n</details>\n"
         for picture in sorted(lab.folder.glob(f"{prefix}-*.png")):
             shutil.copy(picture, IMAGES)
-    return f"{commands}\n{result}"
+    return f"{result}\n{how}" if result else how

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Scenes by Assimp: all formats but glTF.
+// Scenes by Assimp: all formats but glTF, OBJ and PLY.
 
 #include "assimp_scene.h"
 #include "conversions.h"
@@ -10,17 +10,32 @@
 #include "scene_builder.h"
 #include "scene_textures.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace wellstrat::render {
 namespace {
+
+/// That of the machine, which remembers what the importer opens.
+class FileSystem : public Assimp::DefaultIOSystem {
+public:
+    explicit FileSystem(FileFinder& files) : files_(files) {}
+
+    Assimp::IOStream* Open(const char* path, const char* mode) override {
+        Assimp::IOStream* const stream = DefaultIOSystem::Open(path, mode);
+        if (stream) files_.add(path);
+        return stream;
+    }
+
+private:
+    FileFinder& files_;
+};
 
 /// One mesh of the file where one node puts it.
 struct Instance {
@@ -30,9 +45,8 @@ struct Instance {
 
 class SceneImport {
 public:
-    SceneImport(const aiScene& source, std::string folder, uint64_t mostTriangles)
-        : source_(source), builder_(mostTriangles),
-          textures_(source, std::move(folder), builder_.notes) {}
+    SceneImport(const aiScene& source, SceneBuilder& builder)
+        : source_(source), builder_(builder), textures_(source, builder.files, builder.notes) {}
 
     Scene run() {
         for (unsigned i = 0; i < source_.mNumMaterials; ++i)
@@ -77,7 +91,7 @@ private:
     }
 
     const aiScene& source_;
-    SceneBuilder builder_;
+    SceneBuilder& builder_;
     SceneTextures textures_;
     std::vector<ImportedMaterial> materials_;
 };
@@ -85,13 +99,14 @@ private:
 } // namespace
 
 Scene importByAssimp(const std::string& path, uint64_t mostTriangles) {
+    SceneBuilder builder(path, mostTriangles);
     Assimp::Importer importer;
+    importer.SetIOHandler(new FileSystem(builder.files)); // which the importer deletes
     const aiScene* const source =
         importer.ReadFile(path, aiProcess_ValidateDataStructure | aiProcess_Triangulate |
                                     aiProcess_TransformUVCoords);
     if (!source || !source->mRootNode) throw std::runtime_error(importer.GetErrorString());
-    return SceneImport(*source, std::filesystem::path(path).parent_path().string(), mostTriangles)
-        .run();
+    return SceneImport(*source, builder).run();
 }
 
 } // namespace wellstrat::render

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Scenes by Assimp: all formats but glTF.
+// Scenes by Assimp: all formats but glTF, OBJ and PLY.
 
 #pragma once
 

@@ -3,9 +3,10 @@
 #include "import_scene.h"
 #include "assimp_scene.h"
 #include "gltf/gltf_scene.h"
+#include "obj/obj_scene.h"
+#include "ply/ply_scene.h"
 
 #include <cctype>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -17,18 +18,23 @@ std::string lowerCase(std::string text) {
     return text;
 }
 
-bool isGltf(const std::string& path) {
-    const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
-    if (extension == ".gltf" || extension == ".glb") return true;
-    char magic[4] = {};
-    std::ifstream(path, std::ios::binary).read(magic, sizeof magic);
-    return std::memcmp(magic, "glTF", sizeof magic) == 0;
+std::string headOf(const std::string& path) {
+    char bytes[4] = {};
+    std::ifstream(path, std::ios::binary).read(bytes, sizeof bytes);
+    return {bytes, sizeof bytes};
 }
 
 } // namespace
 
 Scene importScene(const std::string& path, uint64_t mostTriangles) {
-    return isGltf(path) ? importGltf(path, mostTriangles) : importByAssimp(path, mostTriangles);
+    const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+    const std::string head = headOf(path);
+    if (extension == ".gltf" || extension == ".glb" || head == "glTF")
+        return importGltf(path, mostTriangles);
+    if (extension == ".ply" || head == "ply\n" || head == "ply\r")
+        return importPly(path, mostTriangles);
+    if (extension == ".obj") return importObj(path, mostTriangles);
+    return importByAssimp(path, mostTriangles);
 }
 
 } // namespace wellstrat::render

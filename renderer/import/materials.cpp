@@ -3,10 +3,8 @@
 // From Assimp's materials to ours.
 
 #include "materials.h"
-#include "../color.h"
+#include "material_numbers.h"
 
-#include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -47,10 +45,7 @@ private:
 
     template <typename T>
     T inUnitRange(T value) {
-        const T result = clamp01(value);
-        if (!(result == value))
-            notes_.add("Material numbers outside [0, 1] are replaced by the nearest in it.");
-        return result;
+        return render::inUnitRange(value, notes_);
     }
 
     void readSurface() {
@@ -71,33 +66,18 @@ private:
 
     void readIndexOfRefraction() {
         const auto ior = number(AI_MATKEY_REFRACTI);
-        if (!ior || !(*ior > 0.0f)) return;
-        const float root = (*ior - 1) / (*ior + 1); // Fresnel's equations at normal incidence
-        result_.material.specularF0 = clamp01(root * root);
+        if (ior && *ior > 0.0f) result_.material.specularF0 = reflectanceOf(*ior);
     }
 
     void readPhong() {
-        Material& material = result_.material;
         const Float3 specular = inUnitRange(color(AI_MATKEY_COLOR_SPECULAR).value_or(Float3(0.0f)));
-        const float exponent = std::max(number(AI_MATKEY_SHININESS).value_or(0.0f), 0.0f);
-        material.roughness = clamp01(std::pow(2 / (exponent + 2), 0.25f));
-        if (isBlack(material.baseColor) && !isBlack(specular) &&
-            !hasTexture(aiTextureType_DIFFUSE)) {
-            material.baseColor = specular;
-            material.metallic = 1;
-        } else {
-            material.specularF0 = 0.08f * largestChannel(specular);
-        }
+        makePhong(result_.material, specular, number(AI_MATKEY_SHININESS).value_or(0.0f),
+                  hasTexture(aiTextureType_DIFFUSE));
     }
 
     void readEmission() {
-        Float3 emission = color(AI_MATKEY_COLOR_EMISSIVE).value_or(Float3(0.0f));
-        for (int c = 0; c < 3; ++c) {
-            if (emission[c] >= 0.0f && std::isfinite(emission[c])) continue;
-            emission[c] = 0;
-            notes_.add("Emitted colors that are negative or no numbers are replaced by 0.");
-        }
-        result_.material.emission = emission;
+        result_.material.emission =
+            notNegative(color(AI_MATKEY_COLOR_EMISSIVE).value_or(Float3(0.0f)), notes_);
     }
 
     bool hasTexture(aiTextureType type) const { return source_.GetTextureCount(type) > 0; }

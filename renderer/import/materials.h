@@ -18,13 +18,9 @@ struct ImportedMaterial {
     unsigned uvSet = 0;
 };
 
-/// Metallic-roughness materials are taken as they are. Those of older formats, such as MTL, have a
-/// diffuse and a specular color and Phong's exponent n: alpha of GGX is sqrt(2 / (n + 2)) (Walter
-/// et al. 2007, "Microfacet Models for Refraction through Rough Surfaces", section 5.2), and
-/// specularF0 is 0.08 times the specular color, as in Burley 2012, "Physically-Based Shading at
-/// Disney"; with a black diffuse color they are metals of the specular color. Where the
-/// format cannot say whether a surface emits on both sides, as MTL, it does. Numbers outside their
-/// range are clamped, with a note.
+/// Metallic-roughness materials are taken as they are, others by `makePhong`. Where the format
+/// cannot say whether a surface emits on both sides, it does. Numbers outside their range are
+/// clamped, with a note.
 ImportedMaterial importMaterial(const aiMaterial& source, SceneTextures& textures, Notes& notes);
 
 } // namespace wellstrat::render

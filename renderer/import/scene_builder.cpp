@@ -5,10 +5,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
 namespace wellstrat::render {
+
+SceneBuilder::SceneBuilder(const std::string& path, uint64_t mostTriangles)
+    : files(std::filesystem::path(path).parent_path().string()), mostTriangles_(mostTriangles) {}
 
 void SceneBuilder::expect(uint64_t triangles) {
     if (triangles > mostTriangles_ - expected_)
@@ -29,6 +33,7 @@ Scene SceneBuilder::finish() {
                                              texts.empty() ? "" : ", only ",
                                              fmt::join(texts, ", ")));
     for (const std::string& text : texts) notes.add(fmt::format("Left out: {}.", text));
+    scene.files = files.take();
     scene.notes = notes.take();
     return std::move(scene);
 }

@@ -6,6 +6,7 @@
 
 #include "../scene.h"
 #include "affine.h"
+#include "files.h"
 #include "notes.h"
 #include "placing.h"
 
@@ -16,10 +17,11 @@ namespace wellstrat::render {
 
 class SceneBuilder {
 public:
-    /// `mostTriangles` is of the whole scene, all instances counted.
-    explicit SceneBuilder(uint64_t mostTriangles) : mostTriangles_(mostTriangles) {}
+    /// For the scene file `path`. `mostTriangles` is of the whole scene, all instances counted.
+    SceneBuilder(const std::string& path, uint64_t mostTriangles);
 
     Scene scene;
+    FileFinder files;
     Notes notes;
     Dropped dropped;
 
@@ -30,7 +32,8 @@ public:
     /// Adds the mesh as `toWorld` places it, if anything of it can be rendered.
     void add(const Mesh& mesh, const Affine& toWorld);
 
-    /// The scene, with notes on what was left out. Throws std::runtime_error if it is empty.
+    /// The scene, with its files, and notes on what was left out. Throws std::runtime_error if it
+    /// is empty.
     Scene finish();
 
 private:

@@ -191,8 +191,10 @@ void transfer(Stream& stream, Of<Stream, Scene>& scene) {
     transferValue(stream, scene.camera);
     transferValue(stream, scene.cameraIsAutomatic);
     transferValue(stream, scene.aspect);
-    stream.count(scene.notes);
-    for (auto& note : scene.notes) transferArray(stream, note);
+    for (auto* texts : {&scene.files, &scene.notes}) {
+        stream.count(*texts);
+        for (auto& text : *texts) transferArray(stream, text);
+    }
 }
 
 } // namespace

@@ -13,7 +13,11 @@ Encoding encodingOf(TextureUse use) {
 }
 
 Channels channelsOf(TextureUse use) {
-    return use == TextureUse::opacity ? Channels::alpha : Channels::colors;
+    switch (use) {
+    case TextureUse::opacity: return Channels::alpha;
+    case TextureUse::coverage: return Channels::alphaOrGray;
+    default: return Channels::colors;
+    }
 }
 
 /// Numbers above 1 are replaced by 1, where the use has none.

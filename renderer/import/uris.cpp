@@ -2,18 +2,13 @@
 
 #include "uris.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cstdint>
-#include <filesystem>
 #include <stdexcept>
 #include <string_view>
-#include <system_error>
 
 namespace wellstrat::render {
 namespace {
-
-namespace fs = std::filesystem;
 
 int hexDigit(char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -63,17 +58,6 @@ std::string percentDecoded(const std::string& uri) {
         }
     }
     return text;
-}
-
-std::string findFile(const std::string& name, const std::string& folder) {
-    std::string slashes = name;
-    std::replace(slashes.begin(), slashes.end(), '\\', '/');
-    for (const std::string& spelling : {name, slashes, percentDecoded(slashes)}) {
-        const fs::path path = fs::path(folder) / spelling;
-        std::error_code ignored;
-        if (fs::is_regular_file(path, ignored)) return path.string();
-    }
-    throw std::runtime_error("no such file");
 }
 
 std::optional<DataUri> dataOf(const std::string& uri) {

@@ -12,10 +12,6 @@ namespace wellstrat::render {
 /// With %20 and the like replaced by the bytes that they stand for: RFC 3986, section 2.1.
 std::string percentDecoded(const std::string& uri);
 
-/// The path of the file in `folder` that a scene means by `name`: those written under Windows have
-/// backslashes, those of the web percent signs. Throws std::runtime_error if there is none.
-std::string findFile(const std::string& name, const std::string& folder);
-
 /// The data of a "data:" URI of RFC 2397.
 struct DataUri {
     std::string mediaType; ///< such as "image/png"; empty if it does not say

@@ -3,6 +3,7 @@
 #include "wellstrat/analysis/independence.h"
 
 #include "chi_square.h"
+#include "nested_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,12 +33,16 @@ struct PreparedCoordinate {
             ++cellCounts[cells[i]];
         }
         for (const double n : cellCounts) logOrders += std::lgamma(n + 1);
+        places = nestedPlaces(cells, gridSide);
+        levels = orderLevels(centered);
     }
 
     std::vector<double> centered; ///< mean 0, sum of squares 1
     std::vector<uint32_t> cells;
     std::vector<double> cellCounts;
-    double logOrders = 0; ///< log of the product of cellCounts[k]!
+    double logOrders = 0;           ///< log of the product of cellCounts[k]!
+    std::vector<uint32_t> places;   ///< of nested order, or nothing
+    std::vector<OrderLevel> levels; ///< of `centered`
 };
 
 double correlation(const PreparedCoordinate& a, const PreparedCoordinate& b) {
@@ -51,37 +56,71 @@ double degreesOf(const PreparedCoordinate& coordinate) {
     return static_cast<double>(coordinate.cellCounts.size()) - 1 - static_cast<double>(empty);
 }
 
+/// Counts in cells against what they should be, and how likely they are.
+struct CountTest {
+    double chiSquare, degrees;
+    Tails tails;
+};
+
 class PairTester {
 public:
     PairTester(std::size_t count, unsigned gridSide)
-        : count_(static_cast<double>(count)), counts_(std::size_t{gridSide} * gridSide) {}
+        : count_(static_cast<double>(count)), side_(gridSide) {}
 
-    void test(const PreparedCoordinate& a, const PreparedCoordinate& b, CoordinatePair& pair) {
+    void test(const PreparedCoordinate& a, const PreparedCoordinate& b,
+              CoordinatePair& pair) const {
         pair.correlation = correlation(a, b);
+        pair.correlationDeviation = std::sqrt(productVariance(a.levels, b.levels));
         pair.correlationProbability =
-            std::erfc(std::fabs(pair.correlation) * std::sqrt((count_ - 1) / 2));
-        pair.chiSquare = pair.chiSquareProbability = 1;
-        const double degrees = degreesOf(a) * degreesOf(b);
-        if (degrees == 0) return;
-        const double chiSquare = chiSquareOf(a, b);
-        Tails tails = chiSquareTails(chiSquare, degrees);
-        if (tails.below < tails.above) {
-            tails.below = std::max(tails.below, probabilityOfCounts(a, b));
-        }
-        pair.chiSquare = chiSquare / degrees;
-        pair.chiSquareProbability = std::min(1.0, 2 * std::min(tails.below, tails.above));
+            std::erfc(std::fabs(pair.correlation) / std::max(pair.correlationDeviation, kRounding) /
+                      std::sqrt(2.0));
+        const bool areNested = !a.places.empty() && !b.places.empty();
+        const CountTest found = areNested ? testCoins(a, b) : testTable(a, b);
+        pair.chiSquare = found.degrees > 0 ? found.chiSquare / found.degrees : 1;
+        pair.chiSquareProbability =
+            std::min(1.0, 2 * std::min(found.tails.below, found.tails.above));
     }
 
 private:
-    double chiSquareOf(const PreparedCoordinate& a, const PreparedCoordinate& b) {
-        const std::size_t side = a.cellCounts.size();
-        std::fill(counts_.begin(), counts_.end(), 0u);
-        for (std::size_t i = 0; i < a.cells.size(); ++i) ++counts_[a.cells[i] * side + b.cells[i]];
+    static constexpr double kRounding = 1e-12; ///< of correlations, and more
+
+    std::vector<uint32_t> counts(const std::vector<uint32_t>& rows,
+                                 const std::vector<uint32_t>& columns) const {
+        std::vector<uint32_t> counts(side_ * side_);
+        for (std::size_t i = 0; i < rows.size(); ++i) ++counts[rows[i] * side_ + columns[i]];
+        return counts;
+    }
+
+    /// Two nested orders.
+    CountTest testCoins(const PreparedCoordinate& a, const PreparedCoordinate& b) const {
+        const CoinCounts coins = coinCounts(counts(a.places, b.places), side_);
+        Tails tails = chiSquareTails(coins.chiSquare, coins.degrees);
+        const double exactly = std::exp(coins.logProbability);
+        return {coins.chiSquare,
+                coins.degrees,
+                {std::max(tails.below, exactly), std::max(tails.above, exactly)}};
+    }
+
+    /// A contingency table: two orders of which at least one is any order.
+    CountTest testTable(const PreparedCoordinate& a, const PreparedCoordinate& b) const {
+        const double degrees = degreesOf(a) * degreesOf(b);
+        if (degrees == 0) return {0, 0, {1, 1}};
+        const std::vector<uint32_t> table = counts(a.cells, b.cells);
+        const double chiSquare = chiSquareOf(table, a, b);
+        Tails tails = chiSquareTails(chiSquare, degrees);
+        if (tails.below < tails.above) {
+            tails.below = std::max(tails.below, probabilityOfCounts(table, a, b));
+        }
+        return {chiSquare, degrees, tails};
+    }
+
+    double chiSquareOf(const std::vector<uint32_t>& table, const PreparedCoordinate& a,
+                       const PreparedCoordinate& b) const {
         double sum = 0;
-        for (std::size_t row = 0; row < side; ++row) {
-            for (std::size_t column = 0; column < side; ++column) {
+        for (std::size_t row = 0; row < side_; ++row) {
+            for (std::size_t column = 0; column < side_; ++column) {
                 const double expected = a.cellCounts[row] * b.cellCounts[column] / count_;
-                const double off = counts_[row * side + column] - expected;
+                const double off = table[row * side_ + column] - expected;
                 if (expected > 0) sum += off * off / expected;
             }
         }
@@ -89,14 +128,15 @@ private:
     }
 
     /// Of exactly these counts, whose rows and columns are given (Fisher 1922).
-    double probabilityOfCounts(const PreparedCoordinate& a, const PreparedCoordinate& b) const {
+    double probabilityOfCounts(const std::vector<uint32_t>& table, const PreparedCoordinate& a,
+                               const PreparedCoordinate& b) const {
         double log = a.logOrders + b.logOrders - std::lgamma(count_ + 1);
-        for (const uint32_t n : counts_) log -= std::lgamma(n + 1.0);
+        for (const uint32_t n : table) log -= std::lgamma(n + 1.0);
         return std::exp(log);
     }
 
     double count_;
-    std::vector<uint32_t> counts_;
+    std::size_t side_;
 };
 
 void checkStreams(const std::vector<SampleStream>& streams, unsigned gridSide) {
@@ -151,9 +191,8 @@ double IndependenceReport::probability() const {
 IndependenceReport testIndependence(const std::vector<SampleStream>& streams, unsigned gridSide,
                                     std::size_t worstCount) {
     checkStreams(streams, gridSide);
-    const std::size_t count = streams.front().points.count();
     const auto coordinates = prepare(streams, gridSide);
-    PairTester tester(count, gridSide);
+    const PairTester tester(streams.front().points.count(), gridSide);
     IndependenceReport report;
     double squares = 0;
     CoordinatePair pair{};
@@ -166,7 +205,9 @@ IndependenceReport testIndependence(const std::vector<SampleStream>& streams, un
                     tester.test(coordinates[pair.first][pair.firstDim],
                                 coordinates[pair.second][pair.secondDim], pair);
                     ++report.pairs;
-                    squares += pair.correlation * pair.correlation;
+                    if (pair.correlationDeviation > 0) {
+                        squares += std::pow(pair.correlation / pair.correlationDeviation, 2);
+                    }
                     report.meanChiSquare += pair.chiSquare;
                     keepWorst(report.worst, worstCount, pair);
                 }
@@ -174,7 +215,7 @@ IndependenceReport testIndependence(const std::vector<SampleStream>& streams, un
         }
     }
     const auto pairs = static_cast<double>(report.pairs);
-    report.correlationSpread = std::sqrt(squares / pairs * (static_cast<double>(count) - 1));
+    report.correlationSpread = std::sqrt(squares / pairs);
     report.meanChiSquare /= pairs;
     return report;
 }

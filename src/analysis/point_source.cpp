@@ -5,6 +5,7 @@
 #include "RixRNG.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/owen.h"
+#include "wellstrat/sequence.h"
 #include "wellstrat/sobol.h"
 
 #include <algorithm>
@@ -25,6 +26,9 @@ uint32_t domainSeed(uint32_t pattern, uint32_t domain) {
 }
 
 double toUnitDouble(uint32_t fraction) { return fraction * 0x1p-32; }
+
+/// The middle of what a fraction of 32 bits stands for.
+double toMiddle(uint32_t fraction) { return (fraction + 0.5) * 0x1p-32; }
 
 /// Independent words, from a seed and a counter.
 class HashStream {
@@ -104,6 +108,31 @@ private:
     std::vector<Scramble> scrambles_;
 };
 
+class SequenceSource final : public PointSource {
+public:
+    void draw(uint32_t pattern, const DomainDims& domains, std::size_t count,
+              double* points) const override {
+        forEachDomain(domains, points,
+                      [&](uint32_t domain, unsigned dims, double* out, unsigned stride) {
+                          drawDomain(derivePattern(pattern, static_cast<Scramble>(domain)), dims,
+                                     count, out, stride);
+                      });
+    }
+
+private:
+    static void drawDomain(uint32_t pattern, unsigned dims, std::size_t count, double* out,
+                           unsigned stride) {
+        constexpr Coordinate kAxes[] = {Coordinate::x, Coordinate::y, Coordinate::z};
+        const Coordinate* const axes = dims == 1 ? kAxes + 2 : kAxes;
+        for (std::size_t i = 0; i < count; ++i) {
+            for (unsigned c = 0; c < dims; ++c) {
+                out[i * stride + c] =
+                    toMiddle(sequenceBits(pattern, static_cast<uint32_t>(i), axes[c]));
+            }
+        }
+    }
+};
+
 class SobolSource final : public PointSource {
 public:
     explicit SobolSource(SobolRandomization randomization) : randomization_(randomization) {}
@@ -120,18 +149,18 @@ public:
                         domain == 0 ? index : owenScramble(index, hashPair(seed, kSobolDimensions));
                     for (unsigned c = 0; c < dims; ++c) {
                         const uint32_t value = sobolSample(matrices_[c], place);
-                        out[i * stride + c] = toUnitDouble(randomized(value, hashPair(seed, c)));
+                        out[i * stride + c] = randomized(value, hashPair(seed, c));
                     }
                 }
             });
     }
 
 private:
-    uint32_t randomized(uint32_t value, uint32_t seed) const {
+    double randomized(uint32_t value, uint32_t seed) const {
         switch (randomization_) {
-        case SobolRandomization::digitalShift: return value ^ seed;
-        case SobolRandomization::owen: return owenScramble(value, seed);
-        default: return value;
+        case SobolRandomization::digitalShift: return toMiddle(value ^ seed);
+        case SobolRandomization::owen: return toMiddle(owenScramble(value, seed));
+        default: return toUnitDouble(value);
         }
     }
 
@@ -235,6 +264,8 @@ PointSourcePtr jointSource(const std::vector<unsigned>& slots, const Generator* 
     return std::make_unique<GeneratorSource>(generator != nullptr ? generator : &joint,
                                              std::move(scrambles));
 }
+
+PointSourcePtr sequenceSource() { return std::make_unique<SequenceSource>(); }
 
 PointSourcePtr sobolSource(SobolRandomization randomization) {
     return std::make_unique<SobolSource>(randomization);

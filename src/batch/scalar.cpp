@@ -46,8 +46,9 @@ void drawSequenceBits(std::size_t n, const SampleCtx* contexts, unsigned slot, u
     for (std::size_t i = 0; i < n; ++i) {
         const uint32_t sampleid = contexts[i].sampleid;
         const uint32_t seed = sequenceSeed(contexts[i].patternid);
-        bits[i] = kBits(slot == kJointSlots ? sequencePoint(seed, sampleid)
-                                            : slotDigits(seed, sampleid, slot, split),
+        bits[i] = kBits(slot == kJointSlots
+                            ? sequencePoint(seed, sampleid)
+                            : slotDigits(detail::kSlotOrders, seed, sampleid, slot, split),
                         seed);
     }
 }

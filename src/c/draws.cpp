@@ -5,9 +5,8 @@
 #include "c/batch.h"
 #include "c/call.h"
 #include "c/generators.h"
-#include "wellstrat/blue_lookup.h"
+#include "wellstrat/batch.h"
 #include "wellstrat/c.h"
-#include "wellstrat/sequence_slots.h"
 #include "wellstrat/tables.h"
 
 namespace wellstrat {
@@ -38,27 +37,6 @@ int drawn(const char* function, wellstrat_domain domain, std::size_t n,
             draw(generator, count, *c::contexts(contexts), order, reinterpret_cast<Sample*>(xis));
         }
     });
-}
-
-/// The digits of a sample of a computed sequence before they are scrambled, and the seed of that.
-struct SeededPoint {
-    PointDigits digits;
-    uint32_t seed;
-};
-
-SeededPoint longPoint(SampleCtx sc, Order order) {
-    const uint32_t seed = sequenceSeed(sc.patternid);
-    return {order.slot == kJointSlots ? sequencePoint(seed, sc.sampleid)
-                                      : slotDigits(seed, sc.sampleid, order.slot, order.splits),
-            seed};
-}
-
-SeededPoint bluePoint(SampleCtx sc, Order order) {
-    const detail::BluePoint point =
-        order.slot == kJointSlots
-            ? detail::bluePoint(sc.patternid, sc.sampleid)
-            : detail::blueSlotPoint(sc.patternid, sc.sampleid, order.slot, order.splits);
-    return {point.digits, point.seed};
 }
 
 } // namespace
@@ -110,13 +88,8 @@ int wellstrat_draw_words(wellstrat_domain domain, size_t n, const wellstrat_cont
         const unsigned count = c::checkedCount(n);
         c::checkPointer(contexts, "contexts", n);
         c::checkPointer(words, "words", n);
-        for (unsigned i = 0; i < count; ++i) {
-            const SampleCtx sc = c::contexts(contexts)[i];
-            const SeededPoint point =
-                domain.generator == WELLSTRAT_LONG ? longPoint(sc, order) : bluePoint(sc, order);
-            for (const Coordinate axis : {Coordinate::x, Coordinate::y, Coordinate::z}) {
-                *words++ = scrambledBits(digitsOf(point.digits, axis), point.seed, axis);
-            }
-        }
+        const auto drawBits =
+            domain.generator == WELLSTRAT_LONG ? drawSequenceBits3D : drawBlueBits3D;
+        drawBits(count, c::contexts(contexts), order, reinterpret_cast<Bits3*>(words));
     });
 }

@@ -2,50 +2,48 @@
 
 #include "wellstrat/blue.h"
 
-#include "core/order_check.h"
+#include "ordered_draws.h"
 #include "wellstrat/batch.h"
 #include "wellstrat/blue_lookup.h"
 #include "wellstrat/detail/few_points.h"
 
 namespace wellstrat {
 inline namespace stream1 {
+namespace {
+
+constexpr auto kDraw1D = detail::orderedSample<blueSample1D, blueSlotSample1D>;
+constexpr auto kDraw2D = detail::orderedSample<blueSample2D, blueSlotSample2D>;
+constexpr auto kDraw3D = detail::orderedSample<blueSample3D, blueSlotSample3D>;
+
+} // namespace
 
 BlueProgressive::~BlueProgressive() = default;
 
 float BlueProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return detail::hasSlot(order)
-               ? blueSlotSample1D(sc.patternid, sc.sampleid, order.slot, order.splits)
-               : blueSample1D(sc.patternid, sc.sampleid);
+    return kDraw1D(sc, order);
 }
 
 Float2 BlueProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return detail::hasSlot(order)
-               ? blueSlotSample2D(sc.patternid, sc.sampleid, order.slot, order.splits)
-               : blueSample2D(sc.patternid, sc.sampleid);
+    return kDraw2D(sc, order);
 }
 
 Float3 BlueProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return detail::hasSlot(order)
-               ? blueSlotSample3D(sc.patternid, sc.sampleid, order.slot, order.splits)
-               : blueSample3D(sc.patternid, sc.sampleid);
+    return kDraw3D(sc, order);
 }
 
 void BlueProgressive::MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
                                            float* xis) const {
-    if (n > detail::kFewPoints) return drawBlueSamples1D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) xis[i] = BlueProgressive::OrderedSample1D((&sc)[i], i, order);
+    detail::drawOrdered<kDraw1D>(n, sc, order, xis, drawBlueSamples1D);
 }
 
 void BlueProgressive::MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
                                            Float2* xis) const {
-    if (n > detail::kFewPoints) return drawBlueSamples2D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) xis[i] = BlueProgressive::OrderedSample2D((&sc)[i], i, order);
+    detail::drawOrdered<kDraw2D>(n, sc, order, xis, drawBlueSamples2D);
 }
 
 void BlueProgressive::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                            Float3* xis) const {
-    if (n > detail::kFewPoints) return drawBlueSamples3D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) xis[i] = BlueProgressive::OrderedSample3D((&sc)[i], i, order);
+    detail::drawOrdered<kDraw3D>(n, sc, order, xis, drawBlueSamples3D);
 }
 
 SampleCtx BlueProgressive::CameraContext(int x, int y, unsigned seed, unsigned sampleid) const {

@@ -2,14 +2,11 @@
 
 #include "wellstrat/joint.h"
 
-#include "core/order_check.h"
-#include "wellstrat/detail/few_points.h"
+#include "ordered_draws.h"
+#include "wellstrat/batch.h"
 
 namespace wellstrat {
 inline namespace stream1 {
-
-JointProgressive::~JointProgressive() = default;
-
 namespace {
 
 /// The tables if they are built and the order is one of most draws', padded or of a slot without
@@ -35,9 +32,7 @@ WELLSTRAT_NOINLINE Float3 rareSample3D(const SampleCtx& sc, Order order) {
     return jointSample3D(tables(), sc.patternid, sc.sampleid, order.slot, order.splits);
 }
 
-} // namespace
-
-float JointProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+float draw1D(const SampleCtx& sc, Order order) {
     const uint32_t* const words = tablesForMost(order);
     if (WELLSTRAT_UNLIKELY(words == nullptr)) return rareSample1D(sc, order);
     return order.slot == kJointSlots
@@ -45,7 +40,7 @@ float JointProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Ord
                : jointSample1D(words, sc.patternid, sc.sampleid, order.slot, 1);
 }
 
-Float2 JointProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+Float2 draw2D(const SampleCtx& sc, Order order) {
     const uint32_t* const words = tablesForMost(order);
     if (WELLSTRAT_UNLIKELY(words == nullptr)) return rareSample2D(sc, order);
     return order.slot == kJointSlots
@@ -53,7 +48,7 @@ Float2 JointProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Or
                : jointSample2D(words, sc.patternid, sc.sampleid, order.slot, 1);
 }
 
-Float3 JointProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+Float3 draw3D(const SampleCtx& sc, Order order) {
     const uint32_t* const words = tablesForMost(order);
     if (WELLSTRAT_UNLIKELY(words == nullptr)) return rareSample3D(sc, order);
     return order.slot == kJointSlots
@@ -61,28 +56,35 @@ Float3 JointProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Or
                : jointSample3D(words, sc.patternid, sc.sampleid, order.slot, 1);
 }
 
+} // namespace
+
+JointProgressive::~JointProgressive() = default;
+
+float JointProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+    return draw1D(sc, order);
+}
+
+Float2 JointProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+    return draw2D(sc, order);
+}
+
+Float3 JointProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
+    return draw3D(sc, order);
+}
+
 void JointProgressive::MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
                                             float* xis) const {
-    if (n > detail::kFewPoints) return drawJointSamples1D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) {
-        xis[i] = JointProgressive::OrderedSample1D((&sc)[i], i, order);
-    }
+    detail::drawOrdered<draw1D>(n, sc, order, xis, drawJointSamples1D);
 }
 
 void JointProgressive::MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
                                             Float2* xis) const {
-    if (n > detail::kFewPoints) return drawJointSamples2D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) {
-        xis[i] = JointProgressive::OrderedSample2D((&sc)[i], i, order);
-    }
+    detail::drawOrdered<draw2D>(n, sc, order, xis, drawJointSamples2D);
 }
 
 void JointProgressive::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                             Float3* xis) const {
-    if (n > detail::kFewPoints) return drawJointSamples3D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) {
-        xis[i] = JointProgressive::OrderedSample3D((&sc)[i], i, order);
-    }
+    detail::drawOrdered<draw3D>(n, sc, order, xis, drawJointSamples3D);
 }
 
 } // namespace stream1

@@ -2,50 +2,47 @@
 
 #include "wellstrat/long.h"
 
-#include "core/order_check.h"
+#include "ordered_draws.h"
 #include "wellstrat/batch.h"
-#include "wellstrat/detail/few_points.h"
 #include "wellstrat/sequence_slots.h"
 
 namespace wellstrat {
 inline namespace stream1 {
+namespace {
+
+constexpr auto kDraw1D = detail::orderedSample<sequenceSample1D, jointSequenceSample1D>;
+constexpr auto kDraw2D = detail::orderedSample<sequenceSample2D, jointSequenceSample2D>;
+constexpr auto kDraw3D = detail::orderedSample<sequenceSample3D, jointSequenceSample3D>;
+
+} // namespace
 
 LongProgressive::~LongProgressive() = default;
 
 float LongProgressive::OrderedSample1D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return detail::hasSlot(order)
-               ? jointSequenceSample1D(sc.patternid, sc.sampleid, order.slot, order.splits)
-               : sequenceSample1D(sc.patternid, sc.sampleid);
+    return kDraw1D(sc, order);
 }
 
 Float2 LongProgressive::OrderedSample2D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return detail::hasSlot(order)
-               ? jointSequenceSample2D(sc.patternid, sc.sampleid, order.slot, order.splits)
-               : sequenceSample2D(sc.patternid, sc.sampleid);
+    return kDraw2D(sc, order);
 }
 
 Float3 LongProgressive::OrderedSample3D(const SampleCtx& sc, unsigned /*i*/, Order order) const {
-    return detail::hasSlot(order)
-               ? jointSequenceSample3D(sc.patternid, sc.sampleid, order.slot, order.splits)
-               : sequenceSample3D(sc.patternid, sc.sampleid);
+    return kDraw3D(sc, order);
 }
 
 void LongProgressive::MultiOrderedSample1D(unsigned n, const SampleCtx& sc, Order order,
                                            float* xis) const {
-    if (n > detail::kFewPoints) return drawSequenceSamples1D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) xis[i] = LongProgressive::OrderedSample1D((&sc)[i], i, order);
+    detail::drawOrdered<kDraw1D>(n, sc, order, xis, drawSequenceSamples1D);
 }
 
 void LongProgressive::MultiOrderedSample2D(unsigned n, const SampleCtx& sc, Order order,
                                            Float2* xis) const {
-    if (n > detail::kFewPoints) return drawSequenceSamples2D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) xis[i] = LongProgressive::OrderedSample2D((&sc)[i], i, order);
+    detail::drawOrdered<kDraw2D>(n, sc, order, xis, drawSequenceSamples2D);
 }
 
 void LongProgressive::MultiOrderedSample3D(unsigned n, const SampleCtx& sc, Order order,
                                            Float3* xis) const {
-    if (n > detail::kFewPoints) return drawSequenceSamples3D(n, &sc, order, xis);
-    for (unsigned i = 0; i < n; ++i) xis[i] = LongProgressive::OrderedSample3D((&sc)[i], i, order);
+    detail::drawOrdered<kDraw3D>(n, sc, order, xis, drawSequenceSamples3D);
 }
 
 } // namespace stream1

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -64,8 +65,9 @@ TEST(ChiSquareTails, ClosedForms) {
     EXPECT_NEAR(chiSquareTails(0.02, 4).below, 1 - 1.01 * std::exp(-0.01), 1e-15);
 }
 
-/// Four points on a 2 x 2 grid, by hand: x = 0, 0, .5, .5 and y = 0, .5, 0, .5 are independent, and
-/// x against itself is as dependent as can be.
+/// Four points on a 2 x 2 grid, by hand: x = 0, .5, 0, .5 and y = 0, 0, .5, .5 are independent, and
+/// x against itself is two pairs that a coin has swapped alike; so the correlation has the variance
+/// of two coins.
 TEST(Independence, OfFourPoints) {
     const auto stream = [](unsigned shift) {
         return makeUnitPoints(
@@ -75,11 +77,24 @@ TEST(Independence, OfFourPoints) {
         return testIndependence({{"a", stream(a)}, {"b", stream(b)}}, 2, 1).worst.front();
     };
     EXPECT_NEAR(test(0, 1).correlation, 0, 1e-15);
+    EXPECT_EQ(test(0, 1).correlationProbability, 1);
     EXPECT_NEAR(test(0, 1).chiSquare, 0, 1e-15);
     EXPECT_NEAR(test(0, 0).correlation, 1, 1e-15);
-    EXPECT_NEAR(test(0, 0).chiSquare, 4, 1e-15);
-    EXPECT_NEAR(test(0, 0).correlationProbability, std::erfc(std::sqrt(1.5)), 1e-15);
-    EXPECT_NEAR(test(0, 0).chiSquareProbability, 2 * std::erfc(std::sqrt(2.0)), 1e-15);
+    EXPECT_NEAR(test(0, 0).chiSquare, 2, 1e-15);
+    EXPECT_NEAR(test(0, 0).correlationDeviation, std::sqrt(0.5), 1e-15);
+    EXPECT_NEAR(test(0, 0).correlationProbability, std::erfc(1), 1e-15);
+    EXPECT_NEAR(test(0, 0).chiSquareProbability, 0.5, 1e-15);
+}
+
+/// A table of 2 x 2 cells of two points each, of which one coordinate is in no nested order:
+/// (0,0) (0,0) (1,1) (1,1) and so on has Pearson's chi-square 8 of 8 points, with one degree.
+TEST(Independence, OfAContingencyTable) {
+    const UnitPoints halves =
+        makeUnitPoints(8, 1, [](std::size_t i, unsigned) { return (i & 2) != 0 ? 0.5 : 0.0; });
+    const CoordinatePair pair =
+        testIndependence({{"a", halves}, {"b", halves}}, 2, 1).worst.front();
+    EXPECT_NEAR(pair.chiSquare, 8, 1e-14);
+    EXPECT_NEAR(pair.chiSquareProbability, 2 * std::erfc(std::sqrt(4.0)), 1e-15);
 }
 
 /// 20 runs of 252 pairs. The probability of a run is uniform, so that one in 20,000 test runs fails
@@ -134,7 +149,7 @@ TEST(Independence, SeesLockstep) {
         testIndependence({{"a", points.projection({0})}, {"b", points.projection({1})}}, 16, 1)
             .worst.front();
     EXPECT_LT(pair.chiSquare, 0.01);
-    EXPECT_LT(pair.chiSquareProbability, 1e-100);
+    EXPECT_LT(pair.chiSquareProbability, 1e-70);
 }
 
 /// A missing scramble: two patterns that are the same.
@@ -160,34 +175,101 @@ TEST(Independence, NamesCopiesBeforeLockstep) {
     }
 }
 
-/// 4 x 4 cells of two points each: 8!^8 / (32! 2!^16) of all orders lead to them.
+/// 4 x 4 cells of two points each. Of nested orders, 8 coins have 4 heads, and 4 times 4 coins have
+/// 2; of other orders, 8!^8 / (32! 2!^16) of all lead to them: the points come by rows.
 TEST(Independence, EvenCountsAreNotImpossible) {
     const UnitPoints points = test::unitPoints(test::owenPoints(5, 2, 1));
-    const CoordinatePair pair =
+    const CoordinatePair nested =
         testIndependence({{"a", points.projection({0})}, {"b", points.projection({1})}}, 4, 1)
             .worst.front();
-    EXPECT_EQ(pair.chiSquare, 0);
-    EXPECT_NEAR(pair.chiSquareProbability, 2 * 0.00040505361248516133, 1e-13);
+    EXPECT_EQ(nested.chiSquare, 0);
+    EXPECT_NEAR(nested.chiSquareProbability, 2 * 70 * std::pow(6, 4) / std::pow(2, 24), 1e-13);
+    const UnitPoints rows = makeUnitPoints(
+        32, 2, [](std::size_t i, unsigned d) { return double(d == 0 ? i / 8 : i % 4) / 4; });
+    const CoordinatePair table =
+        testIndependence({{"a", rows.projection({0})}, {"b", rows.projection({1})}}, 4, 1)
+            .worst.front();
+    EXPECT_EQ(table.chiSquare, 0);
+    EXPECT_NEAR(table.chiSquareProbability, 2 * 0.00040505361248516133, 1e-13);
 }
 
 /// The same net again and again, its order scrambled at all levels by exact nested shuffles, its
-/// coordinates by digital shifts.
-std::vector<SampleStream> exactlyShuffledStreams(unsigned streams) {
-    const test::RawPoints net = test::owenPoints(12, 3, 1);
-    std::vector<SampleStream> result;
-    for (uint32_t s = 0; s < streams; ++s) {
-        const test::RawPoints points = test::makePoints(12, 3, [&](uint32_t i, unsigned d) {
-            const uint32_t shuffled = owenScramble(i << 20, hashPair(1, s), 12) >> 20;
-            return net.at(shuffled, d) ^ hashPair(hashPair(2, s), d);
-        });
-        result.push_back({"", test::unitPoints(points)});
-    }
-    return result;
+/// coordinates by nested scrambling.
+UnitPoints exactlyShuffled(unsigned m, unsigned dims, uint32_t seed) {
+    return test::unitPoints(test::makePoints(m, dims, [=](uint32_t i, unsigned d) {
+        const uint32_t shuffled = owenScramble(i << (32 - m), hashPair(1, seed), m) >> (32 - m);
+        return owenScramble(sobolSample(sobolMatrix(d), shuffled), hashPair(hashPair(2, seed), d));
+    }));
 }
 
-/// Domains of the library are as independent as exact nested shuffles leave them. These are not
-/// quite random orders: both means are above 1. The tolerances are six times the spread of the
-/// ratios over 20 other sets of as many domains.
+/// How far probabilities are from evenly spread (Kolmogorov 1933), times the root of how many there
+/// are: above 2.7 once in a million.
+double unevenness(std::vector<double> probabilities) {
+    std::sort(probabilities.begin(), probabilities.end());
+    const auto count = static_cast<double>(probabilities.size());
+    double furthest = 0;
+    for (std::size_t i = 0; i < probabilities.size(); ++i) {
+        furthest = std::max(furthest, std::fabs(probabilities[i] - (double(i) + 0.5) / count));
+    }
+    return furthest * std::sqrt(count);
+}
+
+/// The probabilities of pairs of single coordinates, each pair of streams of its own.
+template <class MakeStream>
+void expectEvenProbabilities(unsigned pairs, const MakeStream& stream) {
+    std::vector<double> ofCorrelations, ofCounts;
+    for (uint32_t k = 0; k < pairs; ++k) {
+        const UnitPoints first = stream(2 * k), second = stream(2 * k + 1);
+        const CoordinatePair pair =
+            testIndependence({{"a", first}, {"b", second}}, usualGridSide(first.count()), 1)
+                .worst.front();
+        ofCorrelations.push_back(pair.correlationProbability);
+        ofCounts.push_back(pair.chiSquareProbability);
+    }
+    EXPECT_LT(unevenness(ofCorrelations), 2.7);
+    EXPECT_LT(unevenness(ofCounts), 2.7);
+}
+
+/// The probabilities of independent streams are what they say: evenly spread over [0, 1). A false
+/// alarm in a million each. As probabilities of random orders those of nets are uneven by more than
+/// 4 and 12.
+TEST(Independence, ProbabilitiesOfNetsAreEven) {
+    expectEvenProbabilities(
+        2000, [](uint32_t k) { return exactlyShuffled(9 + k / 2 % 2, 2, k).projection({k % 2}); });
+}
+
+/// The first points of three blocks of 256.
+TEST(Independence, ProbabilitiesOfPartsOfNetsAreEven) {
+    expectEvenProbabilities(2000, [](uint32_t k) {
+        const UnitPoints net = exactlyShuffled(10, 1, k);
+        return makeUnitPoints(768, 1,
+                              [&](std::size_t i, unsigned) { return net.coordinate(0)[i]; });
+    });
+}
+
+TEST(Independence, ProbabilitiesOfRandomStreamsAreEven) {
+    expectEvenProbabilities(2000, [](uint32_t k) { return randomUnitPoints(1024, 1, k); });
+}
+
+/// A net against random numbers.
+TEST(Independence, ProbabilitiesOfMixedStreamsAreEven) {
+    expectEvenProbabilities(2000, [](uint32_t k) {
+        return k % 2 == 0 ? exactlyShuffled(10, 1, k) : randomUnitPoints(1024, 1, k);
+    });
+}
+
+/// Domains of the library are as independent as exact nested shuffles are: 50 pixels of 16 domains,
+/// in pairs. A false alarm in a million each.
+TEST(Independence, ProbabilitiesOfDomainsAreEven) {
+    expectEvenProbabilities(400, [](uint32_t k) {
+        const SampleCtx pixel{hashPair(3, k / 16), 0};
+        return tableStreams({pixel.NewDomain(static_cast<Scramble>(k % 16))})[0].points.projection(
+            {k / 2 % 3});
+    });
+}
+
+/// All pairs of coordinates of 32 domains: none is unlikely, and the means are within six standard
+/// errors, as if the 4464 pairs were independent of each other.
 TEST(Independence, OfDomains) {
     constexpr unsigned domains = 32;
     std::vector<SampleCtx> contexts;
@@ -195,11 +277,9 @@ TEST(Independence, OfDomains) {
         contexts.push_back(SampleCtx{1, 0}.NewDomain(static_cast<Scramble>(s)));
     }
     const IndependenceReport report = testIndependence(tableStreams(contexts), 16, 1);
-    const IndependenceReport exact = testIndependence(exactlyShuffledStreams(domains), 16, 1);
-    EXPECT_NEAR(report.correlationSpread / exact.correlationSpread, 1, 0.1);
-    EXPECT_NEAR(report.meanChiSquare / exact.meanChiSquare, 1, 0.03);
-    EXPECT_LT(std::fabs(report.worst[0].correlation), 0.15);
-    EXPECT_LT(report.worst[0].chiSquare, 1.5 * exact.worst[0].chiSquare);
+    EXPECT_NEAR(report.correlationSpread, 1, 6 / std::sqrt(2 * 4464.0));
+    EXPECT_NEAR(report.meanChiSquare, 1, 6 * std::sqrt(2.0 / 85 / 4464));
+    EXPECT_GT(report.probability(), 1e-6);
 }
 
 TEST(Independence, ConstantCoordinatesSayNothing) {

@@ -38,6 +38,7 @@ std::vector<std::pair<std::string, PointSourcePtr>> allSources() {
     static const LongProgressive longSamples;
     sources.emplace_back("joint", jointSource());
     sources.emplace_back("long", generatorSource(&longSamples));
+    sources.emplace_back("long-words", sequenceSource());
     sources.emplace_back("long slots", jointSource({}, &longSamples));
     sources.emplace_back("sobol", sobolSource(SobolRandomization::none));
     sources.emplace_back("sobol-shift", sobolSource(SobolRandomization::digitalShift));
@@ -130,6 +131,17 @@ TEST(PointSource, DrawsTheSamplesThatRenderersDraw) {
         const Points expected{double(xy.x),  double(xy.y),  double(z),
                               double(xyz.x), double(xyz.y), double(xyz.z)};
         EXPECT_EQ(Points(points.begin() + 6 * i, points.begin() + 6 * i + 6), expected);
+    }
+}
+
+/// The words are those that floats are cut from.
+TEST(PointSource, WordsAreTheSamplesOfLong) {
+    const LongProgressive longSamples;
+    const Points words = drawn(*sequenceSource(), 77, {2, 1, 3}, 1000);
+    const Points floats = drawn(*generatorSource(&longSamples), 77, {2, 1, 3}, 1000);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        EXPECT_EQ(std::floor(words[i] * 0x1p24) * 0x1p-24, floats[i]);
+        EXPECT_EQ(std::fmod(words[i] * 0x1p32, 1), 0.5);
     }
 }
 

@@ -58,9 +58,10 @@ double pairPrices(const Bank& bank, unsigned digits) {
     for (std::size_t a = 0; a < bank.size(); ++a) {
         for (std::size_t b = 0; b < a; ++b) {
             for (const PairModel& model : pairModels()) {
-                const ByDigits ratios = squaredRatios(model, orderOf(bank[a]), orderOf(bank[b]));
+                const ByDigits ratios =
+                    squaredRatios(model, orderOf(bank[a], digits), orderOf(bank[b], digits));
                 total +=
-                    double(model.weight * price(static_cast<float>(ratios[digits]), standardOf(a)));
+                    double(price(model, digits, static_cast<float>(ratios[digits]), standardOf(a)));
             }
         }
     }
@@ -91,6 +92,26 @@ TEST(BankSearch, PriceIsWhatTheDefinitionSays) {
         }
     }
     EXPECT_NEAR(partial(bank, kCount).price(), plain, 1e-4 * plain);
+}
+
+/// Nothing to the limit, then steeply more, for lower slots sooner; not with less than 64 points.
+TEST(BankSearch, ProductsOfIntegrandsHaveALimit) {
+    std::size_t integrands = 0;
+    for (const PairModel& model : pairModels()) {
+        if (model.weight > 0) continue;
+        ++integrands;
+        for (const std::size_t slot : {1u, 5u, 12u}) {
+            const Standard standard = standardOf(slot);
+            const float limit = standard.limit;
+            EXPECT_EQ(price(model, 6, 0.99f * limit * limit, standard), 0) << model.name;
+            EXPECT_GT(price(model, 6, 1.69f * limit * limit, standard),
+                      price(model, 6, 1.44f * limit * limit, standard) * 1.5f);
+            EXPECT_EQ(price(model, 5, 9, standard), 0);
+        }
+    }
+    EXPECT_GT(integrands, 100u);
+    EXPECT_LT(standardOf(3).limit, standardOf(4).limit);
+    EXPECT_LT(standardOf(7).limit, standardOf(8).limit);
 }
 
 /// Each model that is not symmetric has both directions.

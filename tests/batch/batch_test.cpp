@@ -343,11 +343,12 @@ Bits bitsOfPoint(const detail::BluePoint& point) {
 }
 template <typename Bits>
 Bits bitsOfBlue(unsigned p, unsigned s) {
-    return bitsOfPoint<Bits>(detail::bluePoint(p, s));
+    return bitsOfPoint<Bits>(detail::bluePoint(detail::kBlueTables, p, s));
 }
 template <typename Bits>
 Bits bitsOfBlueSlot(unsigned p, unsigned s, unsigned slot, unsigned split) {
-    return bitsOfPoint<Bits>(detail::blueSlotPoint(p, s, slot, split));
+    return bitsOfPoint<Bits>(
+        detail::blueSlotPoint(detail::kBlueTables, detail::kSlotOrders, p, s, slot, split));
 }
 
 TEST_P(BatchTarget, BlueBits) {

@@ -28,6 +28,8 @@ addEventListener("load", () => {
       return {alt: image.alt, naturalWidth: image.naturalWidth, x, y, width, height};
     }),
     captions: all("figcaption, caption").map(text),
+    labels: all(".label").map(text),
+    marked: all("td strong").map(text),
     tables: all("table").map(table => all("tr", table).map(row => all("th, td", row).map(text))),
     text: text(document.body),
     width: document.documentElement.scrollWidth,
@@ -37,7 +39,7 @@ addEventListener("load", () => {
   const probe = document.createElement("pre");
   probe.id = "probe";
   probe.textContent = JSON.stringify(seen);
-  document.documentElement.append(probe);
+  parent.document.documentElement.append(probe);
 });
 </script>"""
 
@@ -55,13 +57,15 @@ class Image:
 
 @dataclasses.dataclass
 class Page:
-    """What a reader sees. tables[t][row][column] are texts, the header's row first; `loaded` are
+    """What a reader sees. `labels` are the texts in pictures, `marked` those of marked cells. tables[t][row][column] are texts, the header's row first; `loaded` are
     the addresses that the browser has loaded for the page; `screenshot` is an array of uint8 with
     shape (height, width, 3)."""
     title: str
     headings: list
     images: list
     captions: list
+    labels: list
+    marked: list
     tables: list
     text: str
     width: int
@@ -75,23 +79,34 @@ class Page:
                                round(image.x):round(image.x + image.width)]
 
 
+def in_window(source, width, height):
+    """An HTML page with one that is `width` wide in it: Chromium's own windows have 500 pixels or
+    more."""
+    return (f'<!DOCTYPE html><body style="margin:0"><iframe style="display:block;border:0;'
+            f'width:{width}px;height:{height}px" srcdoc="{html.escape(source)}"></iframe>')
+
+
 def open_page(path, width=1280):
     """The Page that a window of `width` pixels shows of the HTML file `path`."""
     with open(path, encoding="utf-8") as file:
         source = file.read()
     with tempfile.TemporaryDirectory() as directory:
-        probed, picture = (os.path.join(directory, name) for name in ("page.html", "shot.png"))
+        probed, shown, picture = (os.path.join(directory, name)
+                                  for name in ("page.html", "shown.html", "shot.png"))
         with open(probed, "w", encoding="utf-8") as file:
-            file.write(source + PROBE)
+            file.write(in_window(source + PROBE, width, 800))
         dom = run_chromium(directory, "--dump-dom", f"--window-size={width},800", probed)
         probe = re.search(r'<pre id="probe">(.*?)</pre>', dom, re.DOTALL)
         assert probe, "the page did not finish loading"
         seen = json.loads(html.unescape(probe.group(1)))
         seen["images"] = [Image(**image) for image in seen["images"]]
-        run_chromium(directory, f"--screenshot={picture}",
-                     f"--window-size={width},{max(seen['height'], 1)}", path)
+        height = max(seen["height"], 1)
+        with open(shown, "w", encoding="utf-8") as file:
+            file.write(in_window(source, width, height))
+        run_chromium(directory, f"--screenshot={picture}", f"--window-size={width},{height}", shown)
         with PIL.Image.open(picture) as image:
-            return Page(**seen, screenshot=numpy.asarray(image.convert("RGB")))
+            pixels = numpy.asarray(image.convert("RGB"))
+            return Page(**seen, screenshot=pixels[:, :width])
 
 
 def run_chromium(directory, *arguments):

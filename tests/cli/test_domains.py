@@ -22,10 +22,11 @@ class DomainsTest(CliTest):
         return rows(self.output_of("domains", *arguments).decode())
 
     def test_parts(self):
-        table = self.table("spherelight", *SMALL, "--generators", "pmj,random,joint", "-o",
+        table = self.table("spherelight", *SMALL, "--generators",
+                           "pmj,random,joint,long,blue", "-o",
                            "d.json")
         self.assertEqual(list(table), ["pixel filter", "light 0", "bxdf 0", "sum", "floor", "pmj",
-                                       "random", "joint"])
+                                       "random", "joint", "long", "blue"])
         parts = [table[name] for name in ("pixel filter", "light 0", "bxdf 0")]
         for part, error in parts:
             self.assertGreater(part, -5 * error - 0.001)
@@ -43,7 +44,7 @@ class DomainsTest(CliTest):
             for number, key in zip(table[entry["name"]], ("part", "standard_error")):
                 self.assertAlmostEqual(entry[key], number, delta=0.0006)
         self.assertEqual([entry["name"] for entry in result["generators"]],
-                         ["pmj", "random", "joint"])
+                         ["pmj", "random", "joint", "long", "blue"])
 
     def test_a_lamp_in_view_is_an_error_of_the_pixel_alone(self):
         """The lamp of `cornell` is far brighter than all else: its edge in view has most of the
@@ -60,6 +61,19 @@ class DomainsTest(CliTest):
     def test_without_errors_there_are_no_parts(self):
         table = self.table("cornell", *SMALL, "--camera", "0,0,-5", "--look-at", "0,0,-10")
         self.assertEqual(table, {name: (0, 0) for name in ("sum", "floor", "joint")})
+
+    def test_it_ends_with_what_to_do(self):
+        def advice(*arguments):
+            return self.output_of("domains", *arguments).decode().splitlines()[-1]
+
+        padded = ("lens", "--size", "24x16", "--depth", "0", "--seeds", "8", "--spp")
+        gain = advice(*padded, "256")
+        self.assertRegex(gain, r"^What to do: take joint, whose error is 0\.[67]\d of that of pmj\.")
+        self.assertIn("none of the generators tried has less",
+                      advice(*padded, "64", "--generators", "random"))
+        self.assertRegex(advice("cornell", *SMALL), "within domains.* 'pixel filter'")
+        self.assertEqual(advice("cornell", *SMALL, "--camera", "0,0,-5", "--look-at", "0,0,-10"),
+                         "What to do: nothing, there is no error.")
 
     def test_bad_arguments(self):
         for arguments, mentions in (

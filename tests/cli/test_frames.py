@@ -30,7 +30,7 @@ class FramesCase(CliTest):
 class FramesTest(FramesCase):
     def test_frames_go_on_without_gaps(self):
         """For each generator, frames are the parts of one long picture."""
-        for generator in ("pmj", "joint", "random"):
+        for generator in ("pmj", "joint", "long", "blue", "random"):
             scene = (*SCENE, "--generator", generator, "--split", "2")
             self.output_of(*scene, "--spp", "3", "--frames", "4", "-o", "a.%02d.exr")
             self.output_of(*scene, "--spp", "12", "-o", "whole.exr")

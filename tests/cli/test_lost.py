@@ -3,6 +3,7 @@
 written, and nothing else stays."""
 
 import fcntl
+import json
 import os
 import resource
 import signal
@@ -290,6 +291,10 @@ class MemoryTest(CliTest):
 class InputTest(CliTest):
     """Outputs that name an input are refused."""
 
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+
     def test_points(self):
         for name in ("a.dat", "a.gp"):
             self.output_of("sample", "--count", "16", "--format", "csv", "-o", name)
@@ -320,6 +325,30 @@ class InputTest(CliTest):
                           mentions="input")
         self.output_of("render", "cornell", "--size", "8x8", "--samples", "0:4", "--resume",
                        "a.exr", "-o", "a.exr")  # the same picture, with more samples
+
+    @needs_renderer
+    def test_parts_of_scenes(self):
+        """Textures, material libraries and buffers of a scene are inputs, too."""
+        self.output_of("render", "cornell", "--size", "2x2", "--spp", "1", "-o", "color.png",
+                       "-o", "sky.png")
+        self.write("scene.obj", b"mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
+                   b"usemtl a\nf 1/1 2/1 3/1\n")
+        self.write("scene.mtl", b"newmtl a\nmap_Kd .\\color.png\n")
+        self.write("buffer.png", struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0))
+        self.write("scene.gltf", json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"uri": "buffer.png", "byteLength": 36}]}).encode())
+        os.symlink("scene.mtl", self.path("link.png"))
+        for scene, output in (("scene.obj", "color.png"), ("scene.obj", "link.png"),
+                              ("scene.gltf", "buffer.png")):
+            render = ("render", scene, "--size", "2x2", "--spp", "1", "--camera", "0,0,3",
+                      "--environment", "sky.png", "-o")
+            self.assert_fails(*render, output, mentions=f"'{output}' is an input")
+            self.output_of(*render, "out.png")
 
 
 class MpiTest(MpiCase):

@@ -66,27 +66,31 @@ class RenderTest(RenderCase):
             self.output_of(*SMALL, "--threads", str(threads), "-o", f"{threads}.exr")
         self.assert_same("1.exr", "2.exr", "7.exr")
 
-    def test_joint_is_exact(self):
-        """Threads and parts change no bit of an image whose domains are stratified together."""
-        joint = (*SMALL, "--generator", "joint", "--split", "2")
-        for threads in (1, 7):
-            self.output_of(*joint, "--threads", str(threads), "-o", f"{threads}.exr")
-        for part in ("0:7", "7:24"):
-            self.output_of(*joint, "--samples", part, "-o", f"{part[0]}-part.exr")
-        self.output_of("merge", "0-part.exr", "7-part.exr", "-o", "merged.exr")
-        self.assert_same("1.exr", "7.exr", "merged.exr")
+    def test_samples_that_know_of_each_other_are_exact(self):
+        """Threads and parts change no bit of an image whose domains or pixels are stratified
+        together."""
+        for generator in ("joint", "long", "blue"):
+            image = (*SMALL, "--generator", generator, "--split", "2")
+            for threads in (1, 7):
+                self.output_of(*image, "--threads", str(threads), "-o", f"{threads}.exr")
+            for part in ("0:7", "7:24"):
+                self.output_of(*image, "--samples", part, "-o", f"{part[0]}-part.exr")
+            self.output_of("merge", "0-part.exr", "7-part.exr", "-o", "merged.exr")
+            self.assert_same("1.exr", "7.exr", "merged.exr")
 
     def test_options_change_the_image(self):
         """Guards against options that reach nobody."""
         images = {}
         for arguments in ((), ("--seed", "1"), ("--generator", "random"),
-                          ("--generator", "joint"), ("--depth", "1"), ("--split", "3"), ("--split", "3", "--distrib"), ("--fov", "20"),
+                          ("--generator", "joint"), ("--generator", "long"),
+                          ("--generator", "blue"), ("--depth", "1"), ("--split", "3"),
+                          ("--split", "3", "--distrib"), ("--fov", "20"),
                           ("--camera", "2.5,2.5,-7"), ("--look-at", "1,2,0"),
                           ("--camera", "2.5,2.5,-7", "--look-at", "1,2,0", "--up", "1,0,0"),
                           ("--lens-radius", "0.3"), ("--lens-radius", "0.3", "--focus", "5")):
             self.output_of(*SMALL, *arguments, "-o", "a.hdr")
             images[self.read("a.hdr")] = arguments
-        self.assertEqual(len(images), 13)
+        self.assertEqual(len(images), 15)
 
     def test_noise(self):
         noisy = (*with_option(SMALL, "--spp", 512), "--noise", "0.2")

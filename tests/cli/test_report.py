@@ -16,6 +16,8 @@ from support import CliTest
 GENERATORS = ("pmj", "random", "sobol")
 REPORT = ("report", "--quick", "--patterns", "20", "--generators", ",".join(GENERATORS),
           "--integrands", "disk,linear,disk^2")
+TITLES = ("Stratified", "Random", "Sobol")
+INTEGRANDS = {"Disk": "disk", "Linear": "linear", "Disk in 2 domains": "disk^2"}
 SECTIONS = ("Points", "Projections of 3D points", "1D points in their order", "Spectra",
             "Errors of integrals", "Independence", "Nets", "Discrepancies and distances")
 BENCH = {
@@ -57,11 +59,11 @@ class ReportTest(CliTest):
         self.assertEqual(self.files(), ["bench.json", "r.html"])
         self.assertEqual(page.headings[1:], [*SECTIONS, "Speed", "How to make this again"])
         self.assertLess(page.width, 1300)
-        self.assertEqual(len(page.images), 4 * len(GENERATORS) + 4)
+        self.assertEqual(len(page.images), 6 * len(GENERATORS) + 3 + 4)
         for image in page.images:
             self.assert_drawn(page, image)
-        for generator in GENERATORS:
-            self.assertEqual(sum(image.alt.startswith(generator + ": ") for image in page.images), 4)
+        for title in TITLES:
+            self.assertEqual(sum(image.alt.startswith(title + ": ") for image in page.images), 6)
         self.assertTrue(all(len(caption) > 10 for caption in page.captions))
         self.assertEqual(len(page.captions), len(page.tables) + 8)
         self.assert_self_contained(page)
@@ -94,16 +96,45 @@ class ReportTest(CliTest):
         self.assertEqual(len(rows), 9)
         for row in rows:
             integrand = row[0] or integrand
+            name = GENERATORS[TITLES.index(row[1])]
             for count, text in zip(("4", "16", "64", "256", "1024"), row[2:], strict=True):
-                self.assertEqual(text, f"{rmse[row[1], integrand, count]:.2e}")
+                self.assertEqual(text, f"{rmse[name, INTEGRANDS[integrand], count]:.2e}")
+        self.assert_verdict(page, rmse)
         measures = json.loads(self.output_of(*self.command_in(page, "analyze"), "--json"))
         discrepancy = measures["discrepancy"]
         row = [rows for rows in page.tables if rows[0][:2] == ["generator", "star"]][0][1]
-        self.assertEqual(row[:3], ["pmj", f"{discrepancy['star'][0]:.2e}",
+        self.assertEqual(row[:3], ["Stratified", f"{discrepancy['star'][0]:.2e}",
                                    f"{discrepancy['l2_star']:.2e}"])
         worst = measures["independence"][0]["worst"][0]
         self.assertEqual(self.table(page, "generator", "one")[0][:4],
-                         ["pmj", worst["first"], worst["second"], f"{worst['correlation']:.3f}"])
+                         ["Stratified", worst["first"], worst["second"], f"{worst['correlation']:.3f}"])
+
+    def assert_verdict(self, page, rmse):
+        """The geometric mean over the integrands, at 1024 points, of the best over random."""
+        least, title = min(
+            (numpy.prod([rmse[name, integrand, "1024"] / rmse["random", integrand, "1024"]
+                         for integrand in INTEGRANDS.values()]) ** (1 / 3), title)
+            for name, title in zip(GENERATORS, TITLES))
+        self.assertIn(f"With 1024 points, “{title}” has the least error of integrals of these 3: "
+                      f"{least:.2g} of that of “Random”, in the geometric mean.", page.text)
+
+    def test_readers_see_no_identifiers(self):
+        page = self.page()
+        before, commands = page.text.rsplit("How to make this again", 1)
+        text = before[before.rindex("name in commands") + 100:]
+        for name in ("pmj", "wrap_around", "disk^2", "r.html"):
+            self.assertNotIn(name, text)
+        self.assertIn("pmj", commands)
+        self.assertIn("0 (0)", page.marked)
+
+    def test_narrow_windows(self):
+        """Nothing but tables, which scroll, is wider than the window, and pictures fill it."""
+        self.output_of(*REPORT, "-o", "r.html")
+        page = browser.open_page(self.path("r.html"), 480)
+        self.assertEqual(page.width, 480)
+        for image in page.images:
+            self.assertGreater(image.width, 430, image.alt)
+            self.assertLess(image.x + image.width, 480, image.alt)
 
     def command_in(self, page, subcommand):
         """The arguments of the first command of this name that the page shows."""
@@ -115,23 +146,24 @@ class ReportTest(CliTest):
         """sobol is the same in all patterns, random is unstratified: the page must show both."""
         page = self.page()
         nets = {row[0]: row[1:] for row in self.table(page, "generator", "x", "y", "z", "(x, y)")}
-        self.assertEqual(nets["pmj"][:4], ["0 (0)"] * 4)
-        self.assertEqual(nets["pmj"][-2:], ["1 (1)", "one point each"])
-        self.assertEqual(nets["random"][-1], "not one each")
+        self.assertEqual(nets["Stratified"][:4], ["0 (0)"] * 4)
+        self.assertEqual(nets["Stratified"][-2:], ["1 (1)", "one point each"])
+        self.assertEqual(nets["Random"][-1], "not one each")
         families = {tuple(row[:2]): [float(cell) for cell in row[4:]]
                     for row in self.table(page, "generator", "between")}
         self.assertEqual(len(families), 9)
-        self.assertGreater(families["sobol", "patterns"][1], 10)
-        self.assertLess(families["sobol", "patterns"][2], 1e-100)
-        for generator in ("pmj", "random"):
-            self.assertLess(families[generator, "patterns"][1], 2)
-        slopes = {row[0]: row[1:] for row in self.table(page, "integrand", "pmj")}
-        self.assertLess(float(slopes["linear"][0].split()[0]), -1.3)
-        self.assertAlmostEqual(float(slopes["linear"][1].split()[0]), -0.5, delta=0.2)
+        self.assertGreater(families["Sobol", "patterns"][1], 10)
+        self.assertLess(families["Sobol", "patterns"][2], 1e-30)
+        for title in ("Stratified", "Random"):
+            self.assertLess(families[title, "patterns"][1], 1.5)
+            self.assertGreater(families[title, "patterns"][2], 1e-3)
+        slopes = {row[0]: row[1:] for row in self.table(page, "integrand", "Stratified")}
+        self.assertLess(float(slopes["Linear"][0].split()[0]), -1.3)
+        self.assertAlmostEqual(float(slopes["Linear"][1].split()[0]), -0.5, delta=0.2)
         self.assert_spectra(page)
 
     def assert_spectra(self, page):
-        """The middle of the first periodogram is dark for pmj and gray for random."""
+        """The middle of the first periodogram is dark for nets and gray for random."""
         gray = {}
         for image in page.images:
             if "periodograms" in image.alt:
@@ -141,8 +173,8 @@ class ReportTest(CliTest):
                 rows, columns = band.shape[0], band.shape[1]
                 middle = band[rows * 2 // 5:rows * 3 // 5, columns * 2 // 5:columns * 3 // 5]
                 gray[image.alt.split(":")[0]] = middle.mean()
-        self.assertLess(gray["pmj"], 60)
-        self.assertGreater(gray["random"], 100)
+        self.assertLess(gray["Stratified"], 60)
+        self.assertGreater(gray["Random"], 100)
 
     def test_threads_change_nothing(self):
         cores = os.sched_getaffinity(0)
@@ -154,8 +186,9 @@ class ReportTest(CliTest):
     def test_kept_files_draw_the_pictures_again(self):
         self.output_of("report", "--quick", "--patterns", "2", "--generators", "pmj",
                        "--integrands", "disk", "--keep-plot-files")
-        stems = [f"report-{name}" for name in ("error", "order-pmj", "pairs", "points-pmj",
-                                               "projections-pmj", "radial", "spectrum-pmj")]
+        stems = [f"report-{name}" for name in ("anisotropy", "error-disk", "order-pmj", "pairs",
+                                               "points-pmj", "projection-xy-pmj", "projection-xz-pmj",
+                                               "projection-yz-pmj", "radial", "spectrum-pmj")]
         self.assertEqual(self.files(), sorted(["report.html", *(
             stem + suffix for stem in stems for suffix in (".dat", ".gp", ".svg"))]))
         for stem in stems:

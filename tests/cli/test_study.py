@@ -116,7 +116,7 @@ class StudyTest(CliTest):
         self.assertEqual(self.files(), ["error.dat", "error.gp", "error.svg"])
         self.assertIn(b"<svg", self.read("error.svg"))
         picture = self.read("error.svg").decode()
-        for word in ("disk^2", "linear", "jitter", "RMSE over 60 patterns"):
+        for word in ("Disk in 2 domains", "Linear", "Jittered", "RMSE over 60 patterns"):
             self.assertIn(word, picture)
         self.assertEqual(self.read("error.dat").count(b"# curve"), 9)
 

@@ -121,7 +121,7 @@ class PicturesTest(CliTest):
     def test_plot(self):
         self.output_of(*SMALL, "--plot", "error.svg")
         picture = self.read("error.svg").decode()
-        for word in ("zsobol", "gaussian", "RMSE after a Gaussian of 1 pixels over 5 pictures"):
+        for word in ("ZSobol", "Gaussian", "RMSE after a Gaussian of 1 pixels over 5 pictures"):
             self.assertIn(word, picture)
 
 

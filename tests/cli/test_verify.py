@@ -16,6 +16,10 @@ class VerifyTest(CliTest):
         text = self.output_of(*SHORT).decode()
         self.assertRegex(text, r"(?m)^promise +subject +intervals +result$")
         self.assertRegex(text, r"(?m)^\(x, y\).*\(0,m,2\)-net.* 4 tables.* \d+  ok$")
+        for subject in (r"13 patterns, 3 of 48 blocks", r"22 patterns of long, 2 blocks",
+                        r"4096 samples of a pixel of 22 tiles of blue"):
+            self.assertRegex(text, rf"(?m)^\(x, y\): \(0,m,2\)-net.* {subject}.* \d+  ok$")
+        self.assertRegex(text, r"(?m)^\(x, y\) of 2\^k samples of 2\^a x 2\^a pixels: .* \d+  ok$")
         self.assertRegex(text, r"\n\d+ intervals checked, all promises hold\n\Z")
         self.assertNotIn("VIOLATED", text)
 
@@ -46,8 +50,8 @@ class VerifyTest(CliTest):
         shown = os.read(controller, 65536).decode()
         os.close(controller)
         self.assertEqual(process.returncode, 0)
-        self.assertIn("checking tables:", shown)
-        self.assertIn("checking patterns:", shown)
+        for part in ("tables", "patterns", "long", "blue"):
+            self.assertIn(f"checking {part}:", shown)
         self.assertTrue(shown.endswith("\r\x1b[K"))
         self.assertEqual(process.stdout, self.output_of(*SHORT))
 

@@ -70,6 +70,29 @@ TEST(Certificate, PatternsKeepAllPromises) {
     expectCounts(lines, (kPatterns + 8) * 3); // 8 special patterns, 3 blocks each
 }
 
+constexpr unsigned kDomains = 17; // the slots, and none
+
+TEST(Certificate, LongKeepsAllPromises) {
+    const Lines lines = certifyLong(kPatterns);
+    EXPECT_EQ(lines.size(), 8u);
+    expectNoViolation(lines);
+    expectCounts(lines, (kPatterns + kDomains) * 2);
+    EXPECT_EQ(lines[6].intervals, (kPatterns + kDomains) * 2 * 4096);
+    expectNoViolation(certifyLong(0, 77));
+}
+
+TEST(Certificate, BlueKeepsAllPromises) {
+    const Lines lines = certifyBlue(kPatterns);
+    EXPECT_EQ(lines.size(), 10u);
+    expectNoViolation(lines);
+    expectCounts(lines, kPatterns + kDomains);
+    uint64_t strata = 0; // of runs of 2^k samples, k + 2a = 2a..12
+    for (unsigned i = 0; i < kPatterns + kDomains; ++i) strata += (13 - 2 * (1 + i % 6)) * 4096;
+    EXPECT_EQ(lines[9].intervals, strata);
+    EXPECT_GT(lines[8].intervals, 4 * strata);
+    expectNoViolation(certifyBlue(0, 77));
+}
+
 TEST(Certificate, OtherSeedsAndNoRandomPatterns) {
     expectNoViolation(certifyPatterns(1, 77));
     expectNoViolation(certifyPatterns(0));
@@ -97,6 +120,12 @@ TEST(Certificate, ProgressGrowsToOne) {
     EXPECT_EQ(last, 1.0);
     last = 0;
     certifyPatterns(1, 1, progress);
+    EXPECT_EQ(last, 1.0);
+    last = 0;
+    certifyLong(1, 1, progress);
+    EXPECT_EQ(last, 1.0);
+    last = 0;
+    certifyBlue(1, 1, progress);
     EXPECT_EQ(last, 1.0);
 }
 

@@ -155,7 +155,6 @@ TEST(Integrator, SlotsHaveLessErrorThanTables) {
     }
 }
 
-/// Guards against scenes of odd numbers giving NaN: every sample of every pixel is a number.
 /// Guards against losing what pixels know of each other: by contexts that are not the generator's,
 /// or derived without it.
 TEST(Integrator, BlueErrorsCancelBetweenNeighbors) {
@@ -164,11 +163,11 @@ TEST(Integrator, BlueErrorsCancelBetweenNeighbors) {
     SamplingOptions options = optionsOfDepth(0);
     const Film reference = renderFilm(scene, kSide, 1024, options);
     constexpr unsigned kBlock = 8;
-    const auto blockError = [&](const Generator* generator) {
+    const auto blockError = [&](const Generator* generator, unsigned samples) {
         double squares = 0;
         options.generator = generator;
         for (options.seed = 1; options.seed < 9; ++options.seed) {
-            const Film film = renderFilm(scene, kSide, 1, options);
+            const Film film = renderFilm(scene, kSide, samples, options);
             double sums[kSide / kBlock][kSide / kBlock] = {};
             for (unsigned y = 0; y < kSide; ++y) {
                 for (unsigned x = 0; x < kSide; ++x) {
@@ -181,9 +180,12 @@ TEST(Integrator, BlueErrorsCancelBetweenNeighbors) {
         }
         return std::sqrt(squares);
     };
-    EXPECT_LT(blockError(&blue), 0.8 * blockError(nullptr));
+    for (const unsigned samples : {1u, 3u}) {
+        EXPECT_LT(blockError(&blue, samples), 0.8 * blockError(nullptr, samples)) << samples;
+    }
 }
 
+/// Guards against scenes of odd numbers giving NaN: every sample of every pixel is a number.
 TEST(Integrator, BadNumbersStayOutOfThePicture) {
     const float nan = std::nanf("");
     Scene scene = everything();

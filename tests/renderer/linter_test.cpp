@@ -8,6 +8,7 @@
 #include "wellstrat/blue.h"
 #include "wellstrat/domain_linter.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 
 namespace wellstrat::render {
 namespace {
@@ -23,8 +24,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Linted, ::testing::Values("cornell", "lens", "s
 TEST_P(Linted, HasNoFaults) {
     const Scene scene = builtinScene(GetParam());
     const JointProgressive joint;
+    const LongProgressive longer;
     const BlueProgressive blue;
-    const Generator* const inners[] = {nullptr, &joint, &blue};
+    const Generator* const inners[] = {nullptr, &joint, &longer, &blue};
     for (const Generator* inner : inners) {
         for (const unsigned split : {1u, 3u}) {
             for (const bool distrib : {false, true}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// OBJ files with MTL, and other formats without materials.
+// OBJ files, and other formats without materials.
 
 #include "scene_files.h"
 
@@ -9,6 +9,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 namespace wellstrat::render {
 namespace {
@@ -25,6 +26,8 @@ vt 0 1
 usemtl first
 f 1/1 2/2 3/3 4/4
 )";
+
+constexpr auto kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 Scene readObj(const TempFolder& folder, const std::string& material) {
     folder.write("scene.mtl", "newmtl first\n" + material);
@@ -85,11 +88,123 @@ TEST(Obj, TexturesStandUpright) {
     expectNear(textureAt(scene, mesh, {0, 0, 0}), {0, 0, 1});
 }
 
-TEST(Obj, AMissingMaterialLibraryIsNoTrouble) {
+TEST(Obj, MissingLibrariesAndMaterialsAreSaid) {
     const TempFolder folder;
     const Scene scene = readScene(folder.write("scene.obj", kObj));
+    expectNear(scene.materials[scene.meshes.at(0).material].baseColor, Float3(0.8f));
+    EXPECT_TRUE(hasNote(scene, "The material library 'scene.mtl' is left out: no such file."));
+    EXPECT_TRUE(hasNote(scene, "Materials that no library has are light gray: 'first'."));
+    folder.write("scene.mtl", "newmtl second\n");
+    EXPECT_TRUE(hasNote(readScene(folder.path("scene.obj")), "light gray: 'first'."));
+}
+
+/// The color of what "f" statements draw, with two materials in each of two libraries.
+Float3 colorOf(const std::string& obj) {
+    const TempFolder folder;
+    folder.write("one.mtl", "newmtl a\nKd 1 0 0\nnewmtl b c\nKd 0 1 0\n");
+    folder.write("two more.mtl", "newmtl a\nKd 0 0 0\nnewmtl d#1\nKd 0 0 1 # blue\n");
+    const Scene scene = readScene(folder.write("scene.obj", obj + kTriangle));
+    EXPECT_EQ(scene.notes.size(), 2u) << obj << scene.notes.at(0); // no light, no camera
+    return scene.materials[scene.meshes.at(0).material].baseColor;
+}
+
+TEST(Obj, AnyNumberOfLibraries) {
+    for (const char* const libraries :
+         {"mtllib one.mtl two more.mtl\n", "mtllib two more.mtl\nmtllib one.mtl\n"})
+        expectNear(colorOf(libraries + std::string("usemtl d#1\n")), {0, 0, 1});
+    expectNear(colorOf("mtllib one.mtl two more.mtl\nusemtl a\n"), {1, 0, 0}); // the first has it
+    expectNear(colorOf("usemtl a\nmtllib one.mtl\n"), {1, 0, 0});
+}
+
+TEST(Obj, NamesOfMaterialsHaveBlanks) {
+    expectNear(colorOf("mtllib one.mtl # comment\nusemtl b c # comment\n"), {0, 1, 0});
+}
+
+TEST(Obj, ByteOrderMarksAreNoText) {
+    expectNear(colorOf("\xef\xbb\xbfmtllib one.mtl\nusemtl a\n"), {1, 0, 0});
+}
+
+Mesh meshOf(const std::string& obj) {
+    const TempFolder folder;
+    const Scene scene = readScene(folder.write("scene.obj", obj));
     EXPECT_EQ(scene.meshes.size(), 1u);
-    EXPECT_LT(scene.meshes[0].material, scene.materials.size());
+    return scene.meshes.at(0);
+}
+
+TEST(Obj, FacesInAllSpellings) {
+    const std::pair<const char*, bool> faces[] = {
+        {"f 1 2 3", false},           {"f 1/1 2/2 3/3", false},
+        {"f 1//1 2//1 3//1", true},   {"f 1/1/1 2/2/1 3/3/1", true},
+        {"f 1/ 2/ 3/", false},        {"f 1// 2// 3//", false},
+        {"f -3 -2 -1", false},        {"f -3/-3/-1 -2/-2/-1 -1/-1/-1", true},
+        {"f 1 2 3 # comment", false}, {"f 1 2 \\\n3", false},
+        {"\tf\t1\t2\t3  \r", false},  {"fo 1 2 3", false},
+        {"f 1 2 3 # no \\", false}};
+    for (const auto& [face, hasNormals] : faces) {
+        const Mesh mesh = meshOf(std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                             "vn 0 0 2\n") +
+                                 face);
+        ASSERT_EQ(mesh.positions.size(), 3u) << face;
+        expectNear(mesh.positions[1], {1, 0, 0});
+        EXPECT_EQ(mesh.triangles[0], (std::array<uint32_t, 3>{0, 1, 2})) << face;
+        EXPECT_EQ(mesh.normals.size(), hasNormals ? 3u : 0u) << face;
+    }
+}
+
+TEST(Obj, VerticesMayFollowTheirFaces) {
+    EXPECT_EQ(meshOf(std::string("f 1 2 3\n") + "v 0 0 0\nv 1 0 0\nv 0 1 0\n").positions.size(),
+              3u);
+}
+
+TEST(Obj, CornersThatAreEqualAreOneVertex) {
+    const Mesh mesh = meshOf(kObj);
+    EXPECT_EQ(mesh.positions.size(), 4u);
+    EXPECT_EQ(mesh.uvs.size(), 4u);
+    EXPECT_EQ(meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\n"
+                     "f 1/1 2/1 3/1\nf 1/1 3/2 4/2\n")
+                  .positions.size(),
+              5u);
+}
+
+// Faces without normals are flat, whatever their neighbors have.
+TEST(Obj, FacesWithAndWithoutNormals) {
+    const TempFolder folder;
+    const Scene scene = readScene(folder.write(
+        "scene.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\nvn 0 0 1\nf 1//1 2//1 3//1\nf 1 3 4\n"));
+    ASSERT_EQ(scene.meshes.size(), 2u);
+    EXPECT_EQ(scene.meshes[0].normals.size(), 3u);
+    EXPECT_TRUE(scene.meshes[1].normals.empty());
+}
+
+// IEC 61966-2-1: ((0.5 + 0.055) / 1.055)^2.4
+TEST(Obj, ColorsOfVertices) {
+    const TempFolder folder;
+    const Scene scene =
+        readScene(folder.write("scene.obj", "v 0 0 0 1 0.5 0\nv 1 0 0\nv 0 1 0 0 0 1\nf 1 2 3\n"));
+    const Mesh& mesh = scene.meshes.at(0);
+    ASSERT_EQ(mesh.colors.size(), 3u);
+    expectNear(mesh.colors[0].color, {1, 0.214041f, 0});
+    expectNear(mesh.colors[1].color, {1, 1, 1});
+    expectNear(mesh.colors[2].color, {0, 0, 1});
+    EXPECT_EQ(mesh.colors[0].opacity, 1.0f);
+    expectNear(scene.materials[mesh.material].baseColor, Float3(1.0f));
+}
+
+TEST(Obj, WrongIndicesLoseTheirTriangleOnly) {
+    const TempFolder folder;
+    const Scene scene = readScene(
+        folder.write("scene.obj",
+                     "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\nf 0 1 2\nf -9 1 2\nf a b c\n"
+                     "f 1 2 99999999999999999999\nf 1/9/9 2/9/9 3/9/9\n"));
+    EXPECT_EQ(scene.meshes.at(0).triangles.size(), 2u);
+    EXPECT_TRUE(hasNote(scene, "Left out: 5 triangles with a corner that is no number"));
+}
+
+TEST(Obj, CurvesAreSaid) {
+    const TempFolder folder;
+    const Scene scene =
+        readScene(folder.write("scene.obj", std::string(kTriangle) + "curv 0 1 1 2\n"));
+    EXPECT_TRUE(hasNote(scene, "Curves and curved surfaces are left out."));
 }
 
 TEST(Obj, DropsWhatCannotBeRendered) {
@@ -135,28 +250,6 @@ f 1//1 2//2 3//3
     expectNear(mesh.normals[0], {0, 0, 1});
     expectNear(mesh.normals[1], {0, 0, 1});
     expectNear(mesh.normals[2], {0, 0, -1});
-}
-
-TEST(Ply, IsRead) {
-    const TempFolder folder;
-    const Scene scene = readScene(folder.write("scene.ply", R"(ply
-format ascii 1.0
-element vertex 3
-property float x
-property float y
-property float z
-element face 1
-property list uchar int vertex_indices
-end_header
-0 0 0
-1 0 0
-0 1 0
-3 0 1 2
-)"));
-    ASSERT_EQ(scene.meshes.size(), 1u);
-    EXPECT_EQ(scene.meshes[0].triangles.size(), 1u);
-    EXPECT_TRUE(scene.cameraIsAutomatic);
-    EXPECT_TRUE(scene.environment);
 }
 
 TEST(Stl, IsRead) {

@@ -5,7 +5,9 @@
 #include "rendering.h"
 
 #include "renderer/builtin_scenes.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -53,6 +55,8 @@ struct ExactCase {
 };
 
 const JointProgressive kJoint;
+const LongProgressive kLong;
+const BlueProgressive kBlue;
 
 class Exactness : public ::testing::TestWithParam<ExactCase> {
 protected:
@@ -67,12 +71,12 @@ protected:
     }
 };
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Exactness,
-                         ::testing::Values(ExactCase{"cornell", "cornell", nullptr},
-                                           ExactCase{"lens", "lens", nullptr},
-                                           ExactCase{"veach", "veach", nullptr},
-                                           ExactCase{"joint", "lens", &kJoint}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Exactness,
+    ::testing::Values(ExactCase{"cornell", "cornell", nullptr}, ExactCase{"lens", "lens", nullptr},
+                      ExactCase{"veach", "veach", nullptr}, ExactCase{"joint", "lens", &kJoint},
+                      ExactCase{"long", "lens", &kLong}, ExactCase{"blue", "lens", &kBlue}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(Exactness, AnyNumberOfThreads) {
     const Film film = whole();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -91,6 +92,27 @@ TEST(EnvironmentMap, CanBeReadAfterOtherPictures) {
     ASSERT_TRUE(file->close());
     EXPECT_EQ(readTexture(path, Encoding::linear).width(), 600u);
     EXPECT_EQ(readEnvironment(path).map->height(), 300u);
+}
+
+// Halves end at 65504, and suns are brighter.
+TEST(EnvironmentMap, ASunThatIsInfiniteIsTheBrightestOfThePicture) {
+    const TempFolder folder;
+    const float infinity = std::numeric_limits<float>::infinity();
+    const auto path =
+        writePicture<float>(folder, "sky.exr", 2, 2, 3,
+                            {1, 2, 3, infinity, infinity, infinity, 60000, 2, 1, -1, 0.5f, 0.25f});
+    std::vector<std::string> notes;
+    const Environment environment = readEnvironment(path, &notes);
+    expectNear(environment.map->pixel(1, 0), Float3(60000));
+    expectNear(environment.map->pixel(0, 1), {60000, 2, 1});
+    expectNear(environment.map->pixel(1, 1), {0, 0.5f, 0.25f});
+    ASSERT_EQ(notes.size(), 2u);
+    EXPECT_EQ(notes[0],
+              "1 pixels of the environment map are infinite or no numbers: they get the "
+              "largest value that is neither, 60000.");
+    EXPECT_EQ(notes[1],
+              "1 pixels of the environment map are negative or above 1e9: they get the "
+              "nearest value between.");
 }
 
 TEST(EnvironmentMap, ErrorsNameTheFile) {

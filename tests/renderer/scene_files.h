@@ -129,15 +129,23 @@ inline std::string errorOf(const std::string& path) {
     return "none";
 }
 
-/// 2 x 2 pixels, upper row red and green, lower row blue and white.
-inline std::string writeColors(const TempFolder& folder, const std::string& name) {
+/// Writes a picture of numbers in the order of pixels and returns its path.
+template <typename T>
+std::string writePicture(const TempFolder& folder, const std::string& name, int width, int height,
+                         int channels, const std::vector<T>& values) {
     const std::string path = folder.path(name);
-    const uint8_t pixels[] = {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
     const auto file = OIIO::ImageOutput::create(path);
-    EXPECT_TRUE(file->open(path, OIIO::ImageSpec(2, 2, 3, OIIO::TypeDesc::UINT8)));
-    EXPECT_TRUE(file->write_image(OIIO::TypeDesc::UINT8, pixels));
+    const OIIO::TypeDesc type(OIIO::BaseTypeFromC<T>::value);
+    EXPECT_TRUE(file->open(path, OIIO::ImageSpec(width, height, channels, type)));
+    EXPECT_TRUE(file->write_image(type, values.data()));
     EXPECT_TRUE(file->close());
     return path;
+}
+
+/// 2 x 2 pixels, upper row red and green, lower row blue and white.
+inline std::string writeColors(const TempFolder& folder, const std::string& name) {
+    return writePicture<uint8_t>(folder, name, 2, 2, 3,
+                                 {255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255});
 }
 
 inline std::string bytesOf(const std::string& path) {

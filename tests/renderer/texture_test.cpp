@@ -5,8 +5,6 @@
 #include "renderer/texture.h"
 #include "scene_files.h"
 
-#include <OpenImageIO/imageio.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,18 +13,6 @@
 
 namespace wellstrat::render {
 namespace {
-
-template <typename T>
-std::string writePicture(const TempFolder& folder, const std::string& name, int width, int height,
-                         int channels, const std::vector<T>& values) {
-    const std::string path = folder.path(name);
-    const auto file = OIIO::ImageOutput::create(path);
-    const OIIO::TypeDesc type(OIIO::BaseTypeFromC<T>::value);
-    EXPECT_TRUE(file->open(path, OIIO::ImageSpec(width, height, channels, type)));
-    EXPECT_TRUE(file->write_image(type, values.data()));
-    EXPECT_TRUE(file->close());
-    return path;
-}
 
 TEST(Texture, DecodesSrgb) {
     const TempFolder folder;
@@ -56,18 +42,88 @@ TEST(Texture, GrayAndAlpha) {
     expectNear(readTexture(alpha, Encoding::linear).pixel(0, 0), {0.2f, 0.4f, 0.6f});
 }
 
+// Two pixels in the PNG formats that need work: what is stored must come out, also where it is
+// transparent.
+TEST(Texture, PalettesGraysAndSixteenBits) {
+    struct Case {
+        const char* hex; ///< the file
+        Float3 left, right;
+        float leftAlpha, rightAlpha;
+    };
+    const Float3 color{0.2f, 0.4f, 0.6f}, other{1.0f, 0.0f, 0.2f};
+    const Case cases[] = {
+        // A palette of two colors, with alpha, and in one bit a pixel.
+        {"89504e470d0a1a0a0000000d4948445200000002000000010803000000c3fc8fb800000006504c5445336699f"
+         "f"
+         "0033f0fbb5f40000000274524e5300809b2b4e180000000b49444154789c636060040000040002bf7a3f4a000"
+         "0"
+         "000049454e44ae426082",
+         color, other, 0.0f, 128 / 255.0f},
+        {"89504e470d0a1a0a0000000d4948445200000002000000010103000000ceecedc900000006504c5445336699f"
+         "f"
+         "0033f0fbb5f40000000a49444154789c63700000004200412937f4ef0000000049454e44ae426082",
+         color, other, 1.0f, 1.0f},
+        // Gray and alpha of 16 bits.
+        {"89504e470d0a1a0a0000000d49484452000000020000000110040000000ebb6b420000001149444154789c633"
+         "0"
+         "3666603873a6810100099a027f624fc4270000000049454e44ae426082",
+         Float3(0.2f), Float3(0.8f), 0.0f, 32768 / 65535.0f}};
+    for (const auto& [hex, left, right, leftAlpha, rightAlpha] : cases) {
+        std::vector<unsigned char> bytes;
+        for (std::size_t i = 0; hex[i] != '\0'; i += 2)
+            bytes.push_back(
+                static_cast<unsigned char>(std::stoi(std::string(hex + i, 2), nullptr, 16)));
+        const Texture texture = readTexture(bytes, "png", Encoding::linear);
+        expectNear(texture.pixel(0, 0), left);
+        expectNear(texture.pixel(1, 0), right);
+        const Texture alpha = readTexture(bytes, "png", Encoding::linear, Channels::alpha);
+        expectNear(alpha.pixel(0, 0), Float3(leftAlpha));
+        expectNear(alpha.pixel(1, 0), Float3(rightAlpha));
+    }
+}
+
+TEST(Texture, CoverageIsAlphaOrElseGray) {
+    const TempFolder folder;
+    const auto read = [](const std::string& path) {
+        return readTexture(path, Encoding::sRgb, Channels::alphaOrGray).pixel(0, 0);
+    };
+    expectNear(read(writePicture<uint8_t>(folder, "a.png", 1, 1, 4, {255, 255, 255, 51})),
+               Float3(0.2f));
+    expectNear(read(writePicture<uint8_t>(folder, "g.png", 1, 1, 1, {51})), Float3(0.2f));
+    // ITU-R BT.709-6, item 3.2.
+    expectNear(read(writePicture<uint8_t>(folder, "c.png", 1, 1, 3, {0, 255, 0})), Float3(0.7152f));
+}
+
 // Of floats, "sRGB" says nothing: they are linear.
 TEST(Texture, FloatsAreLinearAndMadeUsable) {
     const TempFolder folder;
+    const auto path =
+        writePicture<float>(folder, "a.exr", 2, 1, 3, {0.5f, 7.0f, -1.0f, 1.0f, 2.0f, 1e30f});
+    ReplacedPixels replaced;
+    const Texture texture = readTexture(path, Encoding::sRgb, Channels::colors, &replaced);
+    EXPECT_EQ(replaced.outOfRange, 2u);
+    EXPECT_EQ(replaced.notFinite, 0u);
+    expectNear(texture.pixel(0, 0), {0.5f, 7.0f, 0.0f});
+    expectNear(texture.pixel(1, 0), {1, 2, 1e9f});
+}
+
+// A sun too bright for the numbers of its file must stay the brightest of the picture.
+TEST(Texture, InfinitiesBecomeTheLargestFiniteValue) {
+    const TempFolder folder;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
-    const auto path =
-        writePicture<float>(folder, "a.exr", 2, 1, 3, {0.5f, 7.0f, -1.0f, nan, infinity, 1e30f});
-    uint64_t replaced = 0;
-    const Texture texture = readTexture(path, Encoding::sRgb, Channels::colors, &replaced);
-    EXPECT_EQ(replaced, 2u);
-    expectNear(texture.pixel(0, 0), {0.5f, 7.0f, 0.0f});
-    expectNear(texture.pixel(1, 0), {0, 0, 1e9f});
+    const auto path = writePicture<float>(
+        folder, "a.exr", 4, 1, 3,
+        {0.5f, 7.0f, 1.0f, nan, infinity, 3.0f, nan, nan, nan, -infinity, 0.0f, 0.0f});
+    ReplacedPixels replaced;
+    const Texture texture = readTexture(path, Encoding::linear, Channels::colors, &replaced);
+    EXPECT_EQ(replaced.notFinite, 3u);
+    EXPECT_EQ(replaced.outOfRange, 0u);
+    EXPECT_EQ(replaced.largestFinite, 7.0f);
+    expectNear(texture.pixel(0, 0), {0.5f, 7, 1});
+    expectNear(texture.pixel(1, 0), {7, 7, 3});
+    expectNear(texture.pixel(2, 0), {7, 7, 7});
+    expectNear(texture.pixel(3, 0), {0, 0, 0});
 }
 
 TEST(Texture, FromMemory) {

@@ -3,7 +3,7 @@
 // What only many tiles show of BlueProgressive: that each sample by itself is uniform, what tiles,
 // seeds, domains and visits know of each other, and how often two domains draw the same.
 //
-// False alarms: statistics.h; under 150 checks.
+// False alarms: statistics.h; under 200 checks.
 
 #include "RixRNG.h"
 #include "statistical/statistics.h"
@@ -270,10 +270,15 @@ struct Kind {
     bool isBlue, isRaw;
 };
 
+class EveryGenerator : public testing::TestWithParam<unsigned> {};
+
 // No generator draws two domains of a pixel in lockstep, whatever its contexts, and all samples are
-// in the unit cube. From pixels of different tiles, which are independent.
-TEST(EveryGenerator, DrawsFromEveryKindOfContext) {
+// in the unit cube. From pixels of different tiles, which are independent; the first samples, the
+// last one there is, and those of splits that exceed 2^32.
+TEST_P(EveryGenerator, DrawsFromEveryKindOfContext) {
     constexpr unsigned n = 1u << 14;
+    const unsigned sampleid = GetParam();
+    const unsigned split = sampleid == 3 ? 1 : 4;
     const RandomGenerator random;
     const JointProgressive joint;
     const LongProgressive longer;
@@ -285,19 +290,20 @@ TEST(EveryGenerator, DrawsFromEveryKindOfContext) {
     for (const auto& [name, generator] : generators) {
         for (const Kind kind : {Kind{"camera", false, false}, Kind{"camera, by hand", false, true},
                                 Kind{"blue", true, false}, Kind{"blue, by hand", true, true}}) {
-            Contexts camera = pixelOfTiles(n, 5, 6, 0, 3), domains[2] = {camera, camera};
+            Contexts camera = pixelOfTiles(n, 5, 6, 0, sampleid), domains[2] = {camera, camera};
             for (unsigned i = 0; i < n && !kind.isBlue; ++i) {
-                camera[i] =
-                    cameraContext(static_cast<int>(i % 128), static_cast<int>(i / 128), 0, 3);
+                camera[i] = cameraContext(static_cast<int>(i % 128), static_cast<int>(i / 128), 0,
+                                          sampleid);
             }
             const RixRNG rng(camera, n, generator);
             std::vector<double> errors[2];
             for (unsigned d = 0; d < 2; ++d) {
                 for (unsigned i = 0; i < n && kind.isRaw; ++i) {
-                    domains[d][i] = camera[i].NewDomain(jointScramble(d));
+                    domains[d][i] = camera[i].NewDomainSplit(jointScramble(d), split);
                 }
-                const RixRNG domain = kind.isRaw ? RixRNG(rng, domains[d], n)
-                                                 : RixRNG(rng, jointScramble(d), domains[d]);
+                const RixRNG domain =
+                    kind.isRaw ? RixRNG(rng, domains[d], n)
+                               : RixRNG(rng, jointScramble(d), domains[d], RixRNG::Split{split});
                 std::vector<Float3> xis(n);
                 domain.DrawSamples3D(xis);
                 for (const Float3& xi : xis) {
@@ -314,5 +320,7 @@ TEST(EveryGenerator, DrawsFromEveryKindOfContext) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Sampleids, EveryGenerator, testing::Values(3u, 0x7fffffffu, 0xffffffffu));
 
 } // namespace

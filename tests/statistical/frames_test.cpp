@@ -10,11 +10,13 @@
 // False alarms: a ratio of errors must be seven of its standard errors, known from the spread over
 // the pixels, on its side of the limit. Where the true ratio is further from the limit by another
 // six, as those in docs/concepts.md are, a check fails by chance with a probability below 10^-8;
-// there are 30.
+// there are 46.
 
 #include "RixRNG.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 
 #include <gtest/gtest.h>
 
@@ -59,20 +61,26 @@ double rampIntegral(double t) { return 0.25 * (1 + t) + 0.5 * t; }
 
 constexpr Moving kMoving[] = {{edge, edgeIntegral}, {bump, bumpIntegral}, {ramp, rampIntegral}};
 
-/// The camera's context of sample `i` of a frame of `count` samples after `before` others.
-using Rule = std::function<SampleCtx(int pixel, unsigned frame, unsigned before, unsigned i)>;
+/// The place of sample `i` of a frame after `before` samples of others.
+struct Place {
+    unsigned seed, sampleid;
+};
+using Rule = std::function<Place(unsigned frame, unsigned before, unsigned i)>;
 
-SampleCtx goingOn(int pixel, unsigned /*frame*/, unsigned before, unsigned i) {
-    return cameraContext(pixel, 0, 0, before + i);
-}
-SampleCtx independent(int pixel, unsigned frame, unsigned /*before*/, unsigned i) {
-    return cameraContext(pixel, 0, frame, i);
-}
+Place goingOn(unsigned /*frame*/, unsigned before, unsigned i) { return {0, before + i}; }
+Place independent(unsigned frame, unsigned /*before*/, unsigned i) { return {frame, i}; }
 /// As if each frame had `stride` samples, of which only the first ones are taken.
 Rule withGaps(unsigned stride) {
-    return [stride](int pixel, unsigned frame, unsigned /*before*/, unsigned i) {
-        return cameraContext(pixel, 0, 0, frame * stride + i);
+    return [stride](unsigned frame, unsigned /*before*/, unsigned i) {
+        return Place{0, frame * stride + i};
     };
+}
+
+/// The context of one pixel of many, which are far apart: neighbors may know of each other.
+SampleCtx contextOf(const Generator* generator, unsigned pixel, Place place) {
+    const int x = 64 * static_cast<int>(pixel % 64), y = 64 * static_cast<int>(pixel / 64);
+    return generator != nullptr ? generator->CameraContext(x, y, place.seed, place.sampleid)
+                                : cameraContext(x, y, place.seed, place.sampleid);
 }
 
 /// How many samples a frame has.
@@ -108,7 +116,7 @@ std::vector<double> squaredErrors(const Case& c, const Rule& rule, double newest
             for (double& a : average) a *= 1 - newest;
         for (unsigned i = 0; i < count; ++i) {
             for (unsigned p = 0; p < kPixels; ++p) {
-                camera[p] = rule(static_cast<int>(p), frame, before, i);
+                camera[p] = contextOf(c.generator, p, rule(frame, before, i));
             }
             const RixRNG rng(camera.data(), kPixels, c.generator);
             RixRNG(rng, jointScramble(0), first).DrawSamples2D(xiFirst);
@@ -164,6 +172,8 @@ TEST_P(Frames, GoOnWithoutGaps) {
 }
 
 const JointProgressive kJoint;
+const LongProgressive kLong;
+const BlueProgressive kBlue;
 
 template <unsigned count>
 unsigned always(unsigned /*frame*/) {
@@ -183,7 +193,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"slot_3", &kJoint, false, always<3>, 4, 0.55, 2.0},
                     Case{"slot_changing", &kJoint, false, changing, 4, 0.65, 1.3},
                     Case{"two_slots_1", &kJoint, true, always<1>, 2, 0.75, 1.4},
-                    Case{"two_slots_3", &kJoint, true, always<3>, 4, 0.75, 1.1}),
+                    Case{"two_slots_3", &kJoint, true, always<3>, 4, 0.75, 1.1},
+                    Case{"long_1", &kLong, false, always<1>, 2, 0.55, 2.0},
+                    Case{"two_long_3", &kLong, true, always<3>, 4, 0.75, 1.1},
+                    Case{"blue_1", &kBlue, false, always<1>, 2, 0.55, 2.0},
+                    Case{"two_blue_3", &kBlue, true, always<3>, 4, 0.75, 1.1}),
     [](const auto& test) { return std::string(test.param.name); });
 
 /// Frames that nobody averages lose nothing where their count is a power of two, and little else.
@@ -192,7 +206,7 @@ TEST(Frame, AloneIsAsGoodAsFromSampleZero) {
         Counts counts;
         double atMost;
     };
-    const Generator* const generators[] = {nullptr, &kJoint};
+    const Generator* const generators[] = {nullptr, &kJoint, &kLong, &kBlue};
     const Limit limits[] = {
         {always<1>, 1.05}, {always<4>, 1.05}, {always<8>, 1.05}, {always<6>, 1.15}};
     for (const Generator* const generator : generators) {

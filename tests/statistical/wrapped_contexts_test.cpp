@@ -7,13 +7,16 @@
 // lockstep with it, and against slots below it that do not know of splits or distributions above.
 
 #include "RixRNG.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/domain_linter.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 #include "wellstrat/random_generator.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -84,8 +87,13 @@ double rmse(Error error) {
 /// slots.
 constexpr double kRatio = 1.4;
 
+const wellstrat::JointProgressive kJoint;
+const wellstrat::LongProgressive kLong;
+const wellstrat::BlueProgressive kBlue;
+const std::pair<const char*, const RixRNG::Generator*> kGenerators[] = {
+    {"joint", &kJoint}, {"long", &kLong}, {"blue", &kBlue}};
+
 TEST(WrappedContexts, ConvergeForEveryGenerator) {
-    const wellstrat::JointProgressive joint;
     for (const Parent kind : {Parent::camera, Parent::ordinary, Parent::slot, Parent::splitSlot}) {
         for (const Fill fill : {Fill::byParent, Fill::byContext}) {
             for (const unsigned split : {1u, 4u}) {
@@ -93,9 +101,12 @@ TEST(WrappedContexts, ConvergeForEveryGenerator) {
                     return rmse(
                         [&](unsigned p) { return errorOf(generator, kind, fill, split, p); });
                 };
-                EXPECT_LT(with(&joint), kRatio * with(nullptr))
-                    << static_cast<int>(kind) << " " << static_cast<int>(fill) << " split by "
-                    << split;
+                const double tables = with(nullptr);
+                for (const auto& [name, generator] : kGenerators) {
+                    EXPECT_LT(with(generator), kRatio * tables)
+                        << name << " " << static_cast<int>(kind) << " " << static_cast<int>(fill)
+                        << " split by " << split;
+                }
             }
         }
     }
@@ -104,14 +115,13 @@ TEST(WrappedContexts, ConvergeForEveryGenerator) {
 /// The linter passes on the samples of what it wraps, and random samples have an error of 0.0304.
 TEST(WrappedContexts, ConvergeForOtherGenerators) {
     const wellstrat::RandomGenerator random;
-    const wellstrat::JointProgressive joint;
-    const wellstrat::DomainLinter linter(&joint);
+    const wellstrat::DomainLinter linter(&kJoint);
     for (const Parent kind : {Parent::camera, Parent::slot}) {
         EXPECT_LT(rmse([&](unsigned p) { return errorOf(&random, kind, Fill::byParent, 1, p); }),
                   0.038);
         for (unsigned pattern = 0; pattern < 4; ++pattern) {
             EXPECT_EQ(errorOf(&linter, kind, Fill::byParent, 4, pattern),
-                      errorOf(&joint, kind, Fill::byParent, 4, pattern));
+                      errorOf(&kJoint, kind, Fill::byParent, 4, pattern));
         }
     }
 }
@@ -143,7 +153,6 @@ double errorBelowViews(const RixRNG::Generator* generator, unsigned split, unsig
 }
 
 TEST(WrappedContexts, SlotsBelowKnowOfSplitsAndDistributionsAbove) {
-    const wellstrat::JointProgressive joint;
     struct {
         unsigned split, a, b;
     } const cases[] = {{0, 0, 0}, {0, 3, 5}, {2, 12, 1}, {8, 7, 15}, {1, 0, 1}};
@@ -152,7 +161,11 @@ TEST(WrappedContexts, SlotsBelowKnowOfSplitsAndDistributionsAbove) {
             return rmse(
                 [&](unsigned p) { return errorBelowViews(generator, c.split, c.a, c.b, p); });
         };
-        EXPECT_LT(with(&joint), kRatio * with(nullptr)) << c.split << ": " << c.a << ", " << c.b;
+        const double tables = with(nullptr);
+        for (const auto& [name, generator] : kGenerators) {
+            EXPECT_LT(with(generator), kRatio * tables)
+                << name << " " << c.split << ": " << c.a << ", " << c.b;
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 #include "wellstrat/blue.h"
 #include "wellstrat/camera.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 #include "wellstrat/random_generator.h"
 
 #include <gtest/gtest.h>
@@ -506,7 +507,9 @@ void expectSameSamples(const RixRNG& with, const RixRNG& without) {
 TEST(DomainLinter, PassesSamplesOn) {
     const JointProgressive joint;
     const RandomGenerator random;
-    const Generator* const inners[] = {nullptr, &joint, &random};
+    const LongProgressive longer;
+    const BlueProgressive blue;
+    const Generator* const inners[] = {nullptr, &joint, &random, &longer, &blue};
     for (const Generator* inner : inners) {
         const DomainLinter linter(inner);
         std::vector<SampleCtx> contexts(37), a(37), b(37), c(37), d(37);

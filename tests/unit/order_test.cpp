@@ -3,7 +3,9 @@
 // Orders: how one follows from its parent's, and what RixRNGs make of them.
 
 #include "RixRNG.h"
+#include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 
 #include <gtest/gtest.h>
 
@@ -74,7 +76,9 @@ protected:
 
 TEST_F(OrderOfRixRNG, IsDerivedWithAndWithoutAGenerator) {
     const JointProgressive joint;
-    const Generator* const generators[] = {nullptr, &joint};
+    const LongProgressive longer;
+    const BlueProgressive blue;
+    const Generator* const generators[] = {nullptr, &joint, &longer, &blue};
     for (const Generator* generator : generators) {
         const RixRNG camera(contexts, 4, generator);
         EXPECT_EQ(camera.order, kRoot);

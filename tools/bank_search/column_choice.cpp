@@ -80,7 +80,7 @@ private:
             const auto start = static_cast<float>(before);
             const Standard standard = standardOf(a);
             for (std::size_t c = 0; c < size_; ++c) {
-                prices[c] += model.weight * bank::price(start + sums[c] * scale, standard);
+                prices[c] += bank::price(model, digits, start + sums[c] * scale, standard);
             }
         });
         return prices;

@@ -9,12 +9,18 @@ namespace {
 
 using Digits = std::array<unsigned, 3>; ///< of each axis
 
-std::vector<Digits> gridsOf(unsigned dims) {
-    static const std::vector<Digits> grids[] = {
-        {{0, 0, 16}},
-        {{12, 12, 0}, {16, 8, 0}, {8, 16, 0}},
-        {{8, 8, 8}, {12, 6, 6}, {6, 12, 6}, {6, 6, 12}, {16, 4, 4}, {4, 16, 4}, {4, 4, 16}}};
-    return grids[dims - 1];
+/// Of at most 2^digits points. The first ones are the most alike in all axes.
+std::vector<Digits> gridsOf(unsigned dims, unsigned digits) {
+    if (dims == 1) return {{0, 0, 16}};
+    if (dims == 2) return {{digits / 2, digits / 2, 0}, {16, digits - 16, 0}, {digits - 16, 16, 0}};
+    std::vector<Digits> grids{{digits / 3, digits / 3, digits / 3}};
+    for (const unsigned most : {12u, 16u}) {
+        const unsigned others = (digits - most) / 2;
+        grids.push_back({most, others, others});
+        grids.push_back({others, most, others});
+        grids.push_back({others, others, most});
+    }
+    return grids;
 }
 
 /// The values in the middles of the cells of a grid, x fastest.
@@ -98,20 +104,20 @@ void addShares(ByLevels& shares, std::vector<char>& known, const Integrand& inte
 
 } // namespace
 
-ByLevels levelShares(const Integrand& integrand) {
+ByLevels levelShares(const Integrand& integrand, unsigned gridDigits) {
     if (integrand.domains.size() != 1) {
         throw std::invalid_argument("'" + integrand.name + "' does not have just one domain");
     }
     ByLevels shares{};
     std::vector<char> known(sizeof shares / sizeof(double), 0);
-    for (const Digits& grid : gridsOf(integrand.domains[0])) {
+    for (const Digits& grid : gridsOf(integrand.domains[0], gridDigits)) {
         addShares(shares, known, integrand, grid);
     }
     return shares;
 }
 
-JudgedIntegrand judgedIntegrand(const Integrand& integrand) {
-    const ByLevels shares = levelShares(integrand);
+JudgedIntegrand judgedIntegrand(const Integrand& integrand, unsigned gridDigits) {
+    const ByLevels shares = levelShares(integrand, gridDigits);
     return {integrand.name, integrand.domains[0], shares[0][0][0], covariances(shares)};
 }
 

@@ -57,7 +57,8 @@ Judge::Judge(std::vector<JudgedIntegrand> integrands, unsigned digits)
 }
 
 std::vector<ByDigits> Judge::ratios(const Columns& one, const Columns& other) const {
-    const std::vector<uint16_t> firstOrder = orderOf(one), secondOrder = orderOf(other);
+    const std::vector<uint16_t> firstOrder = orderOf(one, digits_);
+    const std::vector<uint16_t> secondOrder = orderOf(other, digits_);
     const std::size_t count = integrands_.size();
     std::vector<double> products(count * count);
     std::vector<ByDigits> ratios(count * count);

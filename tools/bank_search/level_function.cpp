@@ -85,11 +85,11 @@ std::vector<double> covariances(const ByLevels& shares) {
     return meanOverSwap(inOwnOrder(shares, 0));
 }
 
-LevelFunction levelFunction(const Spectrum& spectrum) { return levelFunction(spectrum, 0); }
+LevelFunction levelFunction(const ByLevels& shares) { return levelFunction(shares, 0); }
 
-LevelFunction levelFunction(const Spectrum& spectrum, unsigned split) {
-    const std::vector<double> values = meanOverSwap(inOwnOrder(sharesOf(spectrum), split));
-    return {spectrum(0, 0, 0), {values.begin(), values.end()}, prefixSums(values)};
+LevelFunction levelFunction(const ByLevels& shares, unsigned split) {
+    const std::vector<double> values = meanOverSwap(inOwnOrder(shares, split));
+    return {shares[0][0][0], {values.begin(), values.end()}, prefixSums(values)};
 }
 
 } // namespace wellstrat::bank

@@ -46,11 +46,11 @@ struct LevelFunction {
 /// instead of U: this is the mean over the two.
 std::vector<double> covariances(const ByLevels& shares);
 
-LevelFunction levelFunction(const Spectrum& spectrum);
+LevelFunction levelFunction(const ByLevels& shares);
 
 /// The same for the mean over the 2^split samples of a visit to a slot under splitting, by the
 /// number n of the visit.
-LevelFunction levelFunction(const Spectrum& spectrum, unsigned split);
+LevelFunction levelFunction(const ByLevels& shares, unsigned split);
 
 /// The sums of values[n] over n < 2^m, as far as there are values.
 template <typename Values>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bank_search/merit.h"
 
+#include "bank_search/integrand_levels.h"
 #include "bank_search/spectra.h"
+#include "wellstrat/analysis/integrands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +15,12 @@ namespace {
 /// Collects level functions and the models that are made of them.
 class Models {
 public:
-    std::size_t add(const Spectrum& spectrum, unsigned split = 0) {
-        functions.push_back(levelFunction(spectrum, split));
+    std::size_t add(const ByLevels& shares, unsigned split = 0) {
+        functions.push_back(levelFunction(shares, split));
         return functions.size() - 1;
+    }
+    std::size_t add(const Spectrum& spectrum, unsigned split = 0) {
+        return add(sharesOf(spectrum), split);
     }
 
     void addPair(std::string name, float weight, std::vector<Product> terms) {
@@ -133,11 +138,39 @@ struct Weighted {
     std::size_t function;
 };
 
+/// Without the last bits, in which exp and cos of machines differ.
+ByLevels rounded(ByLevels shares) {
+    for (auto& plane : shares) {
+        for (auto& line : plane) {
+            for (double& share : line) share = std::nearbyint(share * 0x1p40) * 0x1p-40;
+        }
+    }
+    return shares;
+}
+
+/// All products of two of the lab's integrands, of which a bank is asked that none is bad. These
+/// are the ones that bad pairs are bad for.
+void addIntegrands(Models& models) {
+    constexpr unsigned kGridDigits = 20;
+    std::vector<std::pair<std::string, std::size_t>> integrands;
+    for (const char* const name :
+         {"step-1d", "linear", "gaussian-1d", "smooth-1d", "disk", "step", "gaussian", "smooth",
+          "edge-0", "edge-15", "edge-45", "triangle-3d", "edge-3d", "smooth-3d"}) {
+        const ByLevels shares = levelShares(makeIntegrand(name), kGridDigits);
+        integrands.emplace_back(name, models.add(rounded(shares)));
+    }
+    for (const auto& [f, first] : integrands) {
+        for (const auto& [g, second] : integrands) {
+            models.addPair(f + " * " + g, 0, {{1, first, second}});
+        }
+    }
+}
+
 Models makeModels() {
     constexpr float kAlike = 1.5f, kUnlike = 0.3f; // products of functions of two draws
     constexpr std::size_t kOfXY = 4; // the first draws below, whose squares matter most
-    constexpr float kEdgeAcross = 2, kEdgeAcrossZ = 0.3f, kBands = 1, kStripes = 1, kSplits = 0.35f,
-                    kTriples = 0.2f;
+    constexpr float kEdgeAcross = 2, kEdgeAcrossZ = 0.3f, kBands = 1.1f, kStripes = 2,
+                    kSplits = 0.6f, kTriples = 0.2f;
     Models models;
     const std::size_t smoothXY = models.add(ofXY(smooth)), edgeXY = models.add(ofXY(edge));
     const std::vector<Weighted> draws{
@@ -190,6 +223,7 @@ Models makeModels() {
         models.addBoth("edge across" + branches, kSplits,
                        across(terms, x, addEdgeFunctions(models, terms, alongX, split)));
     }
+    addIntegrands(models);
     const std::size_t stepZ = draws[5].function;
     constexpr double kThird = 1.0 / 3;
     models.addTriple("smooth^3", kTriples, {{1, smoothXY, smoothXY, smoothXY}});
@@ -213,15 +247,22 @@ const std::vector<PairModel>& pairModels() { return models().pairs; }
 const std::vector<TripleModel>& tripleModels() { return models().triples; }
 
 Standard standardOf(std::size_t slot) {
-    if (slot < 4) return {4, 1.0f};
-    if (slot < 8) return {2, 1.1f};
-    return {1, 1.35f};
+    if (slot < 4) return {4, 1.0f, 1.06f, 3000};
+    if (slot < 8) return {2, 1.1f, 1.25f, 1000};
+    return {1, 1.35f, 1.65f, 60};
 }
 
 float price(float squaredRatio, const Standard& standard) {
     const float ratio = std::sqrt(std::max(squaredRatio, 0.0f));
     const float excess = std::max(ratio - standard.tolerance, 0.0f);
     return standard.weight * (ratio + 2 * excess + 10 * excess * excess);
+}
+
+float price(const PairModel& model, unsigned digits, float squaredRatio, const Standard& standard) {
+    if (model.weight > 0) return model.weight * price(squaredRatio, standard);
+    if (digits < 6) return 0;
+    const float excess = std::sqrt(std::max(squaredRatio, 0.0f)) - standard.limit;
+    return excess > 0 ? standard.penalty * excess * excess : 0;
 }
 
 ByDigits squaredRatios(const PairModel& model, const std::vector<uint16_t>& first,
@@ -232,7 +273,8 @@ ByDigits squaredRatios(const PairModel& model, const std::vector<uint16_t>& firs
         const std::vector<float>& g = levelFunctions()[term.second].varying;
         double sum = 0;
         for (unsigned m = 0, n = 0; m <= kDigits; ++m) {
-            for (; n < 1u << m; ++n) sum += double(f[first[n]]) * double(g[second[n]]);
+            for (; n < 1u << m && n < first.size(); ++n)
+                sum += double(f[first[n]]) * double(g[second[n]]);
             ratios[m] += term.weight * sum;
         }
     }

@@ -24,6 +24,8 @@ const std::vector<LevelFunction>& levelFunctions();
 struct Standard {
     float weight;    ///< of the price
     float tolerance; ///< ratios above are expensive
+    float limit;   ///< of products of the lab's integrands; ratios above are out of the question...
+    float penalty; ///< ...but for this price, times the square of the excess
 };
 
 /// A term of a sum of products of a function of one slot and one of another.
@@ -36,7 +38,7 @@ struct Product {
 /// from another. Those that are not symmetric have a model for either direction.
 struct PairModel {
     std::string name;
-    float weight; ///< of the price
+    float weight; ///< of the price; 0 of a product of integrands, which has a limit instead
     std::vector<Product> terms;
     /// 2^m times the variance of the mean of 2^m points, but for the sums of the products of what
     /// varies, which depend on the bank.
@@ -65,6 +67,10 @@ const std::vector<TripleModel>& tripleModels();
 /// The price of a squared error ratio: the ratio, and steeply more above what is tolerated.
 float price(float squaredRatio, const Standard& standard);
 
+/// The price of the squared error ratio of a pair with 2^digits points. Products of integrands cost
+/// nothing but above their limit, from 64 points on.
+float price(const PairModel& model, unsigned digits, float squaredRatio, const Standard& standard);
+
 /// What pairs and triples whose largest number is `slot` are held to.
 Standard standardOf(std::size_t slot);
 
@@ -74,7 +80,8 @@ constexpr float weightOfDigits(unsigned digits) {
     return digits < kFirstDigits ? 0.0f : digits < 6 ? 0.3f : 1.0f;
 }
 
-/// The squared error ratio of a pair of slots at 2^m points, for m in [0, kDigits].
+/// The squared error ratio of a pair of slots at 2^m points, for m in [0, kDigits], as far as their
+/// orders reach.
 ByDigits squaredRatios(const PairModel& model, const std::vector<uint16_t>& first,
                        const std::vector<uint16_t>& second);
 

@@ -113,7 +113,7 @@ double PartialBank::price() const {
                 const PairModel& model = pairModels()[i];
                 const double variance = model.apart[digits_] + pairSum(a, b, i);
                 const auto ratio = static_cast<float>(variance / model.padded[digits_]);
-                total += double(model.weight * bank::price(ratio, standardOf(a)));
+                total += double(bank::price(model, digits_, ratio, standardOf(a)));
             }
         }
     }

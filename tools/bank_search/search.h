@@ -17,7 +17,7 @@ constexpr std::array<std::size_t, 2> kSteps{8, 16};
 
 struct SearchOptions {
     uint32_t seed = 2;
-    unsigned width = 1000;     ///< of the beam for up to 64 points
+    unsigned width = 700;      ///< of the beam for up to 64 points
     unsigned attempts = 100;   ///< to improve one column of one bank
     unsigned digits = kDigits; ///< columns; at least 1. Those beyond are zero
     std::size_t slots = 16;    ///< the first so many, at least 2; they do not depend on the others

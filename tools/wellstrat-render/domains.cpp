@@ -8,22 +8,17 @@
 #include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/command_line/render_commands.h"
-#include "common/command_line/versions.h"
 #include "common/output/output_file.h"
 #include "common/ranks/run_on_ranks.h"
+#include "domains_report.h"
 #include "image/run.h"
 #include "image/sampling.h"
 #include "scene/load.h"
 
-#include "renderer/domain_error.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,31 +40,11 @@ Exit codes: 0 done, 2 error, 130 interrupted.
 
 constexpr uint64_t kMostSeeds = 1000;
 
-struct DomainsOptions {
-    SceneOptions scene;
-    std::vector<std::string> generators{"joint"};
-    uint64_t spp = 256, seeds = 16;
-    std::optional<std::string> output;
-};
-
 struct DomainsJob {
     std::unique_ptr<tbb::global_control> threads;
     std::unique_ptr<render::Scene> scene;
     ImageSize size{};
     std::unique_ptr<OutputFile> file; ///< of rank 0, if one is asked for
-};
-
-/// A part of the mean squared error of pmj.
-struct Part {
-    std::string name;
-    render::Measured value;
-};
-
-struct DomainErrors {
-    double rmse; ///< of pmj
-    std::vector<Part> domains;
-    Part sum;
-    std::vector<Part> generators;
 };
 
 /// Thrown where the images stop, and caught where the command ends.
@@ -165,63 +140,15 @@ private:
     Images others_; ///< that share none of them
 };
 
-render::Measured squareRoot(const render::Measured& x) {
-    const double root = std::sqrt(std::max(0.0, x.value));
-    return {root, root > 0 ? x.standardError / (2 * root) : 0};
-}
-
-std::string textOf(const DomainsOptions& options, ImageSize size, const DomainErrors& errors) {
-    std::string text = fmt::format(
-        "{}\n{}, {}x{} pixels, depth {}, {} samples of each pixel, {} seeds: RMSE {:.4g} "
-        "of pmj\n\n",
-        versionLine(), oneLine(options.scene.scene), size.width, size.height, options.scene.depth,
-        options.spp, options.seeds, errors.rmse);
-    const auto out = std::back_inserter(text);
-    const auto row = [&out](const std::string& name, const render::Measured& x) {
-        fmt::format_to(out, "  {:<14} {:>6.3f} +- {:.3f}\n", name, x.value, x.standardError);
-    };
-    text += "Part of the mean squared error\n";
-    for (const Part& part : errors.domains) row(part.name, part.value);
-    row("sum", errors.sum.value);
-    text += "\nOf the RMSE\n";
-    row("floor", squareRoot(errors.sum.value));
-    for (const Part& part : errors.generators) row(part.name, squareRoot(part.value));
-    return text;
-}
-
-nlohmann::ordered_json partJson(const Part& part) {
-    return {{"name", part.name},
-            {"part", part.value.value},
-            {"standard_error", part.value.standardError}};
-}
-
-/// All numbers are parts of the mean squared error of pmj.
-std::string jsonOf(const DomainsOptions& options, ImageSize size, const DomainErrors& errors) {
-    nlohmann::ordered_json json = versionedJson();
-    json["scene"] = options.scene.scene;
-    json["size"] = {size.width, size.height};
-    json["depth"] = options.scene.depth;
-    json["samples"] = options.spp;
-    json["seeds"] = options.seeds;
-    json["rmse"] = errors.rmse;
-    for (const auto& [key, parts] :
-         {std::pair("domains", &errors.domains), std::pair("generators", &errors.generators)}) {
-        json[key] = nlohmann::ordered_json::array();
-        for (const Part& part : *parts) json[key].push_back(partJson(part));
-    }
-    json["sum"] = partJson(errors.sum);
-    return json.dump(2) + "\n";
-}
-
 int run(const DomainsOptions& options, const Ranks& ranks, const DomainsJob& job) {
     try {
         const DomainErrors errors = DomainRun(options, job, ranks).measure();
         if (!ranks.isRoot()) return 0;
         if (job.file) {
-            job.file->write(jsonOf(options, job.size, errors));
+            job.file->write(domainsJson(options, job.size, errors));
             job.file->commit();
         }
-        printText(textOf(options, job.size, errors));
+        printText(domainsText(options, job.size, errors));
         return 0;
     } catch (const Interrupted&) {
         if (ranks.isRoot()) say("interrupted");

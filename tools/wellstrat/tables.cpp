@@ -7,6 +7,7 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/options.h"
+#include "common/command_line/progress.h"
 #include "common/command_line/versions.h"
 #include "common/output/output_file.h"
 #include "points/npy.h"
@@ -72,6 +73,7 @@ void appendFloatLiteral(Buffer& out, uint32_t value, unsigned c) {
 void writeTables(OutputFile& out, AppendNumber append, const char* open = "",
                  const char* close = "") {
     Buffer buffer;
+    ProgressBar progress("tables");
     for (unsigned table = 0; table < kTableCount; ++table) {
         out.write(open);
         for (unsigned index = 0; index < kTableSize; ++index) {
@@ -82,6 +84,7 @@ void writeTables(OutputFile& out, AppendNumber append, const char* open = "",
         out.write({buffer.data(), buffer.size()});
         out.write(close);
         buffer.clear();
+        progress.show((table + 1.0) / kTableCount);
     }
 }
 

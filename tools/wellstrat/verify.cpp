@@ -17,6 +17,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wellstrat::cli {
@@ -24,7 +25,8 @@ namespace {
 
 constexpr auto kExamples =
     R"(Every promise is checked exactly: of the elementary intervals, strata and boxes that must hold
-a certain number of points, each one is counted.
+a certain number of points, each one is counted: of the tables, of patterns of samples from them,
+of patterns of long, and of pixels and blocks of pixels of blue.
 
 Examples:
   wellstrat verify
@@ -67,10 +69,16 @@ Certificate certify(TableRange range, unsigned patterns) {
         ProgressBar bar("checking tables:");
         certificate = certifyTables(range.first, range.last, [&](double done) { bar.show(done); });
     }
-    ProgressBar bar("checking patterns:");
-    const Certificate users =
-        certifyPatterns(patterns, kPatternSeed, [&](double done) { bar.show(done); });
-    certificate.insert(certificate.end(), users.begin(), users.end());
+    using Certify = Certificate (*)(unsigned, uint32_t, const CertificateProgress&);
+    const std::pair<const char*, Certify> checks[] = {{"checking patterns:", certifyPatterns},
+                                                      {"checking long:", certifyLong},
+                                                      {"checking blue:", certifyBlue}};
+    for (const auto& [label, certify] : checks) {
+        ProgressBar bar(label);
+        const Certificate users =
+            certify(patterns, kPatternSeed, [&](double done) { bar.show(done); });
+        certificate.insert(certificate.end(), users.begin(), users.end());
+    }
     return certificate;
 }
 
@@ -143,8 +151,9 @@ void addVerify(CLI::App& app, int& exitCode) {
     const auto options = std::make_shared<VerifyOptions>();
     command->add_option("--tables", options->tables, "The tables to check: all or A..B [all]")
         ->type_name("RANGE");
-    addNumber(*command, "--patterns", options->patterns, {0, kMaxWord},
-              "How many random patterns to check beside the special ones [1000]");
+    addNumber(
+        *command, "--patterns", options->patterns, {0, kMaxWord},
+        "How many random patterns, of long and blue too, to check beside some special ones [1000]");
     command->add_flag("--json", options->json, "Print the certificate as JSON");
     command->footer(kExamples);
     command->callback([options, &exitCode] { exitCode = verify(*options); });

@@ -48,5 +48,18 @@ WELLSTRAT_API std::vector<CertificateLine> certifyTables(unsigned first, unsigne
 WELLSTRAT_API std::vector<CertificateLine>
 certifyPatterns(unsigned count, uint32_t seed = 1, const CertificateProgress& progress = {});
 
+/// Checks what users draw from LongProgressive: of `count` pseudo-random patterns and some special
+/// ones the first or the last 4096 samples, and 4096 others, in the padded domain and in all slots
+/// by turns. The same promises about nets, draws and values. 1000 patterns take some 6 seconds.
+WELLSTRAT_API std::vector<CertificateLine> certifyLong(unsigned count, uint32_t seed = 1,
+                                                       const CertificateProgress& progress = {});
+
+/// Checks what users draw from BlueProgressive, in `count` pseudo-random tiles of 64 x 64 pixels
+/// and some more, in the padded domain and in all slots by turns: the same of one pixel; and of a
+/// block of 2^a x 2^a pixels, a = 1..6 by turns, that 2^k samples of all of its pixels are a
+/// (0,k+2a,2)-net in (x, y) and stratified in z. 1000 tiles take some 6 seconds.
+WELLSTRAT_API std::vector<CertificateLine> certifyBlue(unsigned count, uint32_t seed = 1,
+                                                       const CertificateProgress& progress = {});
+
 } // namespace stream1
 } // namespace wellstrat

@@ -5,17 +5,25 @@
 // Sample i of one stream is used together with sample i of another. Each coordinate of the one
 // against each of the other is a set of points in the unit square, of which two things are asked:
 //
-//     correlation   Pearson's, against its spread under a random order, 1 / sqrt(N - 1)
-//     chi-square    of the counts in a grid of cells, against what their rows and columns lead to
-//                   expect (Pearson 1900; the test of independence in a contingency table). Sees
-//                   dependence without correlation. Counts that are too even are dependence, too;
-//                   but the distribution of chi-square, which is continuous, holds them for far
-//                   too unlikely, down to impossible. Their probability is therefore at least that
-//                   of exactly these counts, if rows and columns are given (Fisher 1922)
+//     correlation   Pearson's, against its standard deviation
+//     chi-square    of the counts in a grid of cells. Sees dependence without correlation. Counts
+//                   that are too even are dependence, too
 //
-// The order of well-stratified streams is not quite random (a nested shuffle keeps blocks
-// together), so that probabilities of pairs of them are a yardstick more than a test of a
-// hypothesis.
+// Streams are independent if a nested shuffle of the order of one (Owen 1995: halves of halves of
+// the indices, each swapped or not by a coin) changes nothing in what is likely. That is so for
+// random points, and for nets in scrambled order, whose order keeps blocks together and so is not
+// quite random. From the shuffles follow the variance of the correlation, exactly, whatever the
+// values are, and the counts of two nets: where each aligned block of as many points as the grid
+// has rows visits each row once, in one order but for nested shuffles, and each column likewise,
+// the counts are numbers of heads of fair coins, and chi-square is the sum of (heads - tails)^2 /
+// coins. All other pairs are contingency tables: chi-square is that of Pearson (1900) against what
+// rows and columns lead to expect, as in random orders. The one case that is neither, two
+// coordinates stratified in time otherwise than by nested shuffles, such as Halton's, may look
+// less independent than it is.
+//
+// The distribution of chi-square, which is continuous, holds counts that are very even for far too
+// unlikely, down to impossible. Their probability is therefore at least that of exactly these
+// counts: a product of binomial ones, or, if rows and columns are given, that of Fisher (1922).
 
 #pragma once
 
@@ -39,6 +47,7 @@ struct CoordinatePair {
     std::size_t first, second;    ///< streams, by their place in the list
     unsigned firstDim, secondDim; ///< coordinates
     double correlation;           ///< in [-1, 1]; 0 if a coordinate is constant
+    double correlationDeviation;  ///< its standard deviation if independent; 0 if it must be 0
     double chiSquare; ///< over its expectation, the degrees of freedom; 1 if these are 0
     double correlationProbability; ///< of a correlation at least as far from 0, if independent
     double chiSquareProbability;   ///< of a chi-square at least as far out on its side, twice
@@ -49,7 +58,8 @@ struct CoordinatePair {
 
 struct IndependenceReport {
     std::size_t pairs = 0;             ///< coordinate pairs tested
-    double correlationSpread = 0;      ///< root mean square correlation * sqrt(N - 1); about 1
+    double correlationSpread = 0;      ///< root mean square of correlations, each over its
+                                       ///< standard deviation; about 1
     double meanChiSquare = 0;          ///< mean of CoordinatePair::chiSquare; about 1
     std::vector<CoordinatePair> worst; ///< the most unlikely first
 

@@ -6,6 +6,7 @@
 //     sobol         Sobol' points, the same for every p                order shuffled
 //     sobol-shift   with a random digital shift                        and order shuffled
 //     sobol-owen    with exact Owen scrambling (owen.h)                and order shuffled
+//     long-words    samples of long.h with all of their 32 bits        as NewDomain derives them
 //     halton        Halton points, shifted at random modulo 1          further prime bases
 //     jitter        one random point in each of N equal cells          order shuffled at random
 //
@@ -60,7 +61,12 @@ WELLSTRAT_API PointSourcePtr generatorSource(const Generator* generator);
 WELLSTRAT_API PointSourcePtr jointSource(const std::vector<unsigned>& slots = {},
                                          const Generator* generator = nullptr);
 
-/// What is done to the points of Sobol' for each pattern.
+/// The same of LongProgressive by sequenceBits, as (bits + 0.5) * 2^-32: for errors below 1e-7, in
+/// which samples of generatorSource show that floats are cut.
+WELLSTRAT_API PointSourcePtr sequenceSource();
+
+/// What is done to the points of Sobol' for each pattern. All but `none` have numbers of 32 bits v
+/// as (v + 0.5) * 2^-32, so that no mean is biased.
 enum class SobolRandomization { none, digitalShift, owen };
 WELLSTRAT_API PointSourcePtr sobolSource(SobolRandomization randomization);
 

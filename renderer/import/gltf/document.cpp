@@ -10,9 +10,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -23,12 +20,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kLongestName = 60; // of a URI in a message
-
-std::string contentOf(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw std::runtime_error("it may not be read");
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 Json parsed(std::string_view text) {
     try {
@@ -82,10 +73,10 @@ bool isFallback(const Json& buffer) {
     return member(member(member(buffer, "extensions"), kMeshoptExtension), "fallback") == true;
 }
 
-/// The bytes that a URI stands for; those of a file are in `folder`.
-std::string fetched(const std::string& uri, const std::string& folder) {
+/// The bytes that a URI stands for.
+std::string fetched(const std::string& uri, FileFinder& files) {
     if (auto data = dataOf(uri)) return std::move(data->bytes);
-    return contentOf(findFile(uri, folder));
+    return contentOf(files.find(uri));
 }
 
 ImageSource imageOf(const Json& image, std::size_t number) {
@@ -135,8 +126,8 @@ tinygltf::Model modelOf(const Json& root) {
 
 } // namespace
 
-GltfDocument::GltfDocument(const std::string& path, Notes& notes)
-    : folder_(std::filesystem::path(path).parent_path().string()) {
+GltfDocument::GltfDocument(const std::string& path, FileFinder& files, Notes& notes)
+    : files_(files) {
     const GltfParts parts = gltfParts(storage_.emplace_back(contentOf(path)));
     Json root = parsed(parts.json);
     requireVersion2(root);
@@ -146,7 +137,7 @@ GltfDocument::GltfDocument(const std::string& path, Notes& notes)
         const std::string uri = stringOf(buffer, "uri");
         try {
             buffers_.push_back(isFallback(buffer) ? std::string_view()
-                               : !uri.empty()     ? storage_.emplace_back(fetched(uri, folder_))
+                               : !uri.empty()     ? storage_.emplace_back(fetched(uri, files_))
                                : isFirst && parts.binary ? *parts.binary
                                                          : std::string_view());
         } catch (const std::runtime_error& error) {

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "../files.h"
 #include "../notes.h"
 
 #include <tiny_gltf.h>
@@ -38,13 +39,13 @@ public:
     /// Reads a file. Adds a note for each extension that is used and not known. Throws
     /// std::runtime_error with one line: it is no glTF 2.0, lacks some of its parts, or requires
     /// extensions that are not known.
-    GltfDocument(const std::string& path, Notes& notes);
+    GltfDocument(const std::string& path, FileFinder& files, Notes& notes);
     GltfDocument(const GltfDocument&) = delete;
     GltfDocument& operator=(const GltfDocument&) = delete;
 
     const tinygltf::Model& model() const { return model_; }
     const std::vector<ImageSource>& images() const { return images_; }
-    const std::string& folder() const { return folder_; }
+    FileFinder& files() const { return files_; }
 
     /// The bytes of a range of a buffer. Throws std::runtime_error if it has not so many; `what`
     /// is for the message.
@@ -57,7 +58,7 @@ public:
 
 private:
     tinygltf::Model model_;
-    std::string folder_;
+    FileFinder& files_;
     std::deque<std::string> storage_;       ///< what buffers_ points into
     std::vector<std::string_view> buffers_; ///< empty: only compressed views have use for it
     std::vector<ImageSource> images_;

@@ -21,7 +21,7 @@ namespace {
 class GltfImport {
 public:
     GltfImport(const std::string& path, uint64_t mostTriangles)
-        : builder_(mostTriangles), document_(path, builder_.notes),
+        : builder_(path, mostTriangles), document_(path, builder_.files, builder_.notes),
           nodes_(readNodes(document_, mostTriangles, builder_.notes)) {}
 
     Scene run() {

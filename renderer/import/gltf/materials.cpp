@@ -2,6 +2,7 @@
 
 #include "materials.h"
 #include "../../color.h"
+#include "../material_numbers.h"
 #include "values.h"
 
 #include <algorithm>
@@ -79,10 +80,7 @@ private:
 
     template <typename T>
     T inUnitRange(T value) {
-        const T result = clamp01(value);
-        if (!(result == value))
-            notes_.add("Material numbers outside [0, 1] are replaced by the nearest in it.");
-        return result;
+        return render::inUnitRange(value, notes_);
     }
 
     void readMetallicRoughness() {
@@ -134,14 +132,7 @@ private:
         material_.metallicRoughnessTexture = std::move(map);
     }
 
-    Float3 notNegative(Float3 color) {
-        for (int c = 0; c < 3; ++c) {
-            if (color[c] >= 0.0f && std::isfinite(color[c])) continue;
-            color[c] = 0;
-            notes_.add("Colors of light that are negative or no numbers are replaced by 0.");
-        }
-        return color;
-    }
+    Float3 notNegative(Float3 color) { return render::notNegative(color, notes_); }
 
     void readEmission() {
         const auto& factor = source_.emissiveFactor;

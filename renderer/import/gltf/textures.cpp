@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "textures.h"
-#include "../uris.h"
 #include "values.h"
 
 #include <fmt/format.h>
 
 #include <exception>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -40,7 +40,7 @@ std::string formatHint(const std::string& mimeType) {
 
 Texture readImage(const GltfDocument& document, const ImageSource& source, TextureUse use) {
     if (!source.problem.empty()) throw std::runtime_error(source.problem);
-    if (!source.uri.empty()) return readAs(use, findFile(source.uri, document.folder()));
+    if (!source.uri.empty()) return readAs(use, document.files().find(source.uri));
     const std::string_view bytes =
         source.bufferView >= 0 ? document.bufferView(source.bufferView) : source.bytes;
     return readAs(use, std::vector<unsigned char>(bytes.begin(), bytes.end()),
@@ -63,6 +63,8 @@ TexturePtr GltfTextures::image(int number, TextureUse use) {
     try {
         const ImageSource& source = at(document_.images(), number, "image");
         entry->second = std::make_shared<const Texture>(readImage(document_, source, use));
+    } catch (const std::bad_alloc&) {
+        throw; // without its textures the picture would be another one
     } catch (const std::exception& error) {
         failed_[{number, use}] = error.what();
     }

@@ -7,7 +7,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <numeric>
 #include <utility>
 
 namespace wellstrat::cli {
@@ -24,6 +27,7 @@ h2 { font-size: 1.45rem; margin: 3.25rem 0 .75rem; padding-top: .9rem;
   border-top: 1px solid var(--line); }
 h3 { font-size: 1.08rem; margin: 2rem 0 .5rem; }
 p { max-width: 46rem; margin: .6rem 0; }
+.verdict { font-size: 1.25rem; line-height: 1.4; }
 .lead { font-size: 1.08rem; color: var(--soft); }
 nav { margin: 1.5rem 0 0; }
 nav a { display: inline-block; margin: 0 1.1rem .3rem 0; }
@@ -35,22 +39,33 @@ code { padding: .1em .3em; }
 pre { padding: .8rem 1rem; line-height: 1.5; white-space: pre-wrap; overflow-wrap: anywhere; }
 figure { margin: 1.25rem 0 1.75rem; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1rem; justify-content: flex-start; }
-.pictures img { display: block; height: auto; max-width: 100%; border: 1px solid var(--line);
+.picture { position: relative; }
+.picture img { display: block; width: 100%; height: auto; border: 1px solid var(--line);
   border-radius: 6px; background: #fff; }
-.columns-2 img { width: calc(50% - .5rem); min-width: 20rem; }
-.columns-4 img { width: calc(25% - .75rem); min-width: 12rem; }
-.columns-3 img { width: calc(33.33% - .667rem); min-width: 17rem; }
-figcaption, caption { color: var(--soft); font-size: .93rem; max-width: 52rem; }
+.label { position: absolute; left: .4rem; top: .4rem; padding: .05rem .4rem; border-radius: 4px;
+  color: #fff; background: #000a; font-size: .85rem; }
+.columns-1 .picture { width: 60rem; max-width: 100%; }
+.columns-2 .picture { width: calc(50% - .5rem); }
+.columns-3 .picture { width: calc(33.33% - .667rem); }
+.columns-4 .picture { width: calc(25% - .75rem); }
+figcaption, caption { color: var(--soft); font-size: .93rem; }
 figcaption { margin-top: .6rem; }
 caption { text-align: left; padding-bottom: .5rem; }
+figcaption, caption { max-width: min(52rem, calc(100vw - 3rem)); }
 .scroll { overflow-x: auto; margin: 1.25rem 0 1.75rem; }
 table { border-collapse: collapse; font-size: .93rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .3rem 1.1rem .3rem 0; text-align: left; vertical-align: baseline; }
-th.number, td.number { text-align: right; white-space: nowrap; }
+tbody th, tbody td { white-space: nowrap; }
+th.number, td.number { text-align: right; }
+td strong { background: #e2eddd; border-radius: 4px; padding: .1em .3em; margin-right: -.3em; }
 thead th { border-bottom: 2px solid var(--line); color: var(--soft); font-weight: 600;
   vertical-align: bottom; }
-tbody th { font-weight: 600; white-space: nowrap; }
+tbody th { font-weight: 600; position: sticky; left: 0; background: #fff; }
 tbody td, tbody th { border-bottom: 1px solid var(--line); }
+@media (max-width: 50rem) { main { padding: 1.5rem 1rem 3rem; }
+  .pictures { gap: .6rem; }
+  .columns-2 .picture, .columns-3 .picture { width: 100%; }
+  .columns-4 .picture { width: calc(50% - .3rem); } }
 @media print { main { max-width: none; padding: 0; } figure, tr { break-inside: avoid; } }
 )";
 
@@ -108,6 +123,12 @@ std::string columnClass(const HtmlTable& table, std::size_t column) {
     return numbers ? " class=\"number\"" : "";
 }
 
+std::string labelOf(const HtmlPicture& picture) {
+    if (picture.label.empty()) return "";
+    return fmt::format("<span class=\"label\" aria-hidden=\"true\">{}</span>",
+                       htmlText(picture.label));
+}
+
 } // namespace
 
 std::string htmlText(std::string_view text) {
@@ -125,8 +146,33 @@ std::string htmlText(std::string_view text) {
     return escaped;
 }
 
-HtmlPage::HtmlPage(std::string title, std::string lead)
-    : title_(std::move(title)), lead_(std::move(lead)) {}
+void HtmlTable::markBest(std::size_t column, const std::vector<std::size_t>& ofRows, Best which) {
+    std::vector<std::pair<double, std::size_t>> numbers;
+    for (const std::size_t row : ofRows) {
+        const std::string& cell = rows.at(row).at(column);
+        char* end = nullptr;
+        const double number = std::strtod(cell.c_str(), &end);
+        if (end != cell.c_str() && std::isfinite(number)) {
+            numbers.emplace_back(which == Best::least ? number : -number, row);
+        }
+    }
+    if (numbers.empty()) return;
+    std::sort(numbers.begin(), numbers.end());
+    const double first = numbers.front().first;
+    if (first == numbers.back().first) return;
+    for (const auto& [number, row] : numbers) {
+        if (number == first) best.emplace(row, column);
+    }
+}
+
+void HtmlTable::markBest(std::size_t column, Best which) {
+    std::vector<std::size_t> all(rows.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    markBest(column, all, which);
+}
+
+HtmlPage::HtmlPage(std::string title, std::string verdict, std::string lead)
+    : title_(std::move(title)), verdict_(std::move(verdict)), lead_(std::move(lead)) {}
 
 void HtmlPage::section(std::string_view title) {
     sections_.emplace_back(title);
@@ -155,11 +201,13 @@ void HtmlPage::table(const HtmlTable& table) {
             fmt::format("<th scope=\"col\"{}>{}</th>", classes[c], markedText(table.header[c]));
     }
     body_ += "</tr></thead>\n<tbody>\n";
-    for (const std::vector<std::string>& row : table.rows) {
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
         body_ += "<tr>";
-        for (std::size_t c = 0; c < row.size(); ++c) {
+        for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+            std::string cell = markedText(table.rows[r][c]);
+            if (table.best.count({r, c}) != 0) cell = "<strong>" + cell + "</strong>";
             body_ += fmt::format(c == 0 ? "<th scope=\"row\"{}>{}</th>" : "<td{}>{}</td>",
-                                 classes.at(c), markedText(row[c]));
+                                 classes.at(c), cell);
         }
         body_ += "</tr>\n";
     }
@@ -169,8 +217,9 @@ void HtmlPage::table(const HtmlTable& table) {
 void HtmlPage::figure(const HtmlFigure& figure) {
     body_ += fmt::format("<figure><div class=\"pictures columns-{}\">\n", figure.columns);
     for (const HtmlPicture& picture : figure.pictures) {
-        body_ += fmt::format("<img alt=\"{}\" src=\"{}\">\n", htmlText(picture.description),
-                             pictureUri(picture.bytes));
+        body_ +=
+            fmt::format("<div class=\"picture\"><img alt=\"{}\" src=\"{}\">{}</div>\n",
+                        htmlText(picture.description), pictureUri(picture.bytes), labelOf(picture));
     }
     body_ +=
         fmt::format("</div><figcaption>{}</figcaption></figure>\n", markedText(figure.caption));
@@ -185,8 +234,9 @@ std::string HtmlPage::finish() const {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
         "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body><main>\n<h1>{0}</h1>\n"
-        "<p class=\"lead\">{2}</p>\n<nav>\n{3}</nav>\n{4}</main></body>\n</html>\n",
-        htmlText(title_), kStyle, markedText(lead_), contents, body_);
+        "<p class=\"verdict\">{2}</p>\n<p class=\"lead\">{3}</p>\n<nav>\n{4}</nav>\n"
+        "{5}</main></body>\n</html>\n",
+        htmlText(title_), kStyle, markedText(verdict_), markedText(lead_), contents, body_);
 }
 
 } // namespace wellstrat::cli

@@ -8,6 +8,8 @@
 #include "common/command_line/messages.h"
 #include "common/command_line/options.h"
 #include "common/command_line/render_commands.h"
+#include "common/command_line/shell_word.h"
+#include "common/output/page_plots.h"
 #include "common/ranks/run_on_ranks.h"
 #include "figures.h"
 #include "image/files.h"
@@ -126,14 +128,7 @@ CompareJob prepare(const CompareOptions& options, bool root) {
     }
     requireSuffix("--output", options.output, {".html"});
     CompareJob job;
-    if (root) {
-        job.file = std::make_unique<OutputFile>(options.output);
-        if (options.keepPlotFiles) {
-            const std::string stem = options.output.substr(0, options.output.rfind('.'));
-            job.curves = std::make_unique<Picture>("--output", stem + "-errors.svg", true);
-            job.spectra = std::make_unique<Picture>("--output", stem + "-spectra.svg", true);
-        }
-    }
+    if (root) job.file = std::make_unique<OutputFile>(options.output);
     job.scene = std::make_unique<render::Scene>(loadScene(options.scene));
     if (root) sayNotes(*job.scene);
     job.size = imageSize(options.scene, *job.scene);
@@ -165,9 +160,12 @@ std::string commandOf(const CompareOptions& options, ImageSize size) {
         options.mask ? " --mask " + shellWord(*options.mask) : "", shellWord(options.output));
 }
 
-/// Draws with `picture`, which is kept, or only for the page.
-std::string drawFor(const std::unique_ptr<Picture>& picture, const Plot& plot) {
-    return picture ? picture->draw(plot) : drawPlot(plot, ".svg").picture;
+std::vector<HtmlPicture> drawAll(const std::vector<CompareFigure>& figures, PagePlots& plots) {
+    std::vector<HtmlPicture> pictures;
+    for (const CompareFigure& figure : figures) {
+        pictures.push_back({figure.description, plots.draw(figure.name, figure.plot)});
+    }
+    return pictures;
 }
 
 int run(const CompareOptions& options, const Ranks& ranks, CompareJob& job) {
@@ -177,19 +175,15 @@ int run(const CompareOptions& options, const Ranks& ranks, CompareJob& job) {
         return kExitInterrupted;
     }
     if (!ranks.isRoot()) return 0;
-    CompareFigures figures;
+    PagePlots plots(options.output, options.keepPlotFiles);
+    ComparePictures pictures;
     if (hasErrors(comparison)) {
-        figures = {drawFor(job.curves, errorFigure(comparison)),
-                   drawFor(job.spectra, spectrumFigure(comparison))};
-    } else {
-        job.curves.reset();
-        job.spectra.reset();
+        pictures = {drawAll(errorFigures(comparison), plots),
+                    drawAll(spectrumFigures(comparison), plots)};
     }
-    job.file->write(comparePage(comparison, figures, commandOf(options, job.size)));
+    job.file->write(comparePage(comparison, pictures, commandOf(options, job.size)));
     job.file->commit();
-    for (const auto* picture : {&job.curves, &job.spectra}) {
-        if (*picture) (*picture)->commit();
-    }
+    plots.commit();
     printText(compareTable(comparison));
     return 0;
 }
@@ -265,7 +259,7 @@ void addCompare(CLI::App& app, int& exitCode) {
         ->required()
         ->type_name("FILE");
     command->add_flag("--keep-plot-files", options->keepPlotFiles,
-                      "Keep the curves: FILE-errors and FILE-spectra, .svg, .dat and .gp");
+                      "Keep the plots: FILE-rmse and others, .svg, .dat and .gp");
     command->footer(kExamples);
     command->callback([options, &exitCode] {
         options->generators = eachOnce(options->generators);

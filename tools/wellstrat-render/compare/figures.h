@@ -7,12 +7,22 @@
 #include "common/output/picture.h"
 #include "result.h"
 
+#include <string>
+#include <vector>
+
 namespace wellstrat::cli {
 
-/// Error curves. Logarithmic axes need some error: see `hasErrors`.
-Plot errorFigure(const Comparison& comparison);
+struct CompareFigure {
+    std::string name;        ///< for files, such as "rmse-2px"
+    std::string description; ///< for those who cannot see it
+    Plot plot;
+};
 
-/// Radial spectra of the errors, a panel for each number of samples.
-Plot spectrumFigure(const Comparison& comparison);
+/// Error curves: plain, after each filter, relative, against time. Logarithmic axes need some
+/// error: see `hasErrors`.
+std::vector<CompareFigure> errorFigures(const Comparison& comparison);
+
+/// Radial spectra of the errors, one for each number of samples.
+std::vector<CompareFigure> spectrumFigures(const Comparison& comparison);
 
 } // namespace wellstrat::cli

@@ -4,13 +4,19 @@
 
 #include "common/command_line/versions.h"
 #include "common/output/html_page.h"
+#include "common/output/readable_names.h"
+#include "verdict.h"
 
+#include "renderer/builtin_scenes.h"
 #include "renderer/film_file.h"
 #include "renderer/pixel_mask.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <cctype>
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -19,8 +25,12 @@
 namespace wellstrat::cli {
 namespace {
 
-std::string samplesText(uint32_t samples) {
-    return fmt::format("{} {}", samples, samples == 1 ? "sample" : "samples");
+/// What is built in by what it is, a file by its name without folder and suffix.
+std::string sceneTitle(const std::string& scene) {
+    for (const render::BuiltinSceneInfo& info : render::builtinScenes()) {
+        if (scene == info.name) return info.description;
+    }
+    return std::filesystem::path(scene).stem().string();
 }
 
 std::string pngOf(const render::Film& film) { return render::encodePicture(film, ".png"); }
@@ -52,13 +62,17 @@ std::string referenceError(const Comparison& comparison) {
 void addReference(const Comparison& comparison, HtmlPage& page) {
     const Reference& reference = comparison.reference;
     page.section("Reference");
-    page.paragraph(fmt::format("{}. {}", reference.origin, referenceError(comparison)));
-    HtmlFigure figure{{{"The reference", pngOf(reference.film)}},
+    std::string origin = reference.origin;
+    origin[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(origin[0])));
+    page.paragraph(fmt::format("{}. {}", origin, referenceError(comparison)));
+    HtmlFigure figure{{{"The reference", pngOf(reference.film), "Reference"}},
                       fmt::format("The reference, {}x{} pixels, in sRGB.", reference.film.width(),
-                                  reference.film.height())};
+                                  reference.film.height()),
+                      2};
     if (isMasked(comparison)) {
         const render::PixelMask& mask = comparison.measure.mask;
-        figure.pictures.push_back({"The pixels that count", pngOf(pictureOf(mask))});
+        figure.pictures.push_back(
+            {"The pixels that count", pngOf(pictureOf(mask)), "White counts"});
         figure.caption += fmt::format(
             " White beside it: the {:.1f} % of the pixels whose errors "
             "count, {}.",
@@ -69,23 +83,28 @@ void addReference(const Comparison& comparison, HtmlPage& page) {
 
 std::string explanation(const Comparison& comparison) {
     return fmt::format(
-        "Over all {} and their three linear colors. The relative MSE is the mean of d^2 / "
-        "(r^2 + 0.01) with d the difference from the reference r. A filtered RMSE is taken after "
+        "Over all {} and their three linear colors. The relative MSE is the mean of d\u00b2 / "
+        "(r\u00b2 + 0.01) with d the difference from the reference r. A filtered RMSE is taken "
+        "after "
         "a Gaussian, whose standard deviation is given in pixels, has blurred d: noise of high "
         "frequency, which the eye and denoisers forgive, counts less. The Gaussian ends after "
         "three standard deviations, and what is outside of the image{} is not there for it: the "
-        "other weights are scaled to sum 1. The column of samples of {} says how many of them have "
-        "the same RMSE: between its points on a line in logarithmic axes, beyond them by RMSE ~ "
-        "N^(-1/2).",
+        "other weights are scaled to sum 1. The last column before standard errors says how many "
+        "samples of \u201c{}\u201d have "
+        "the same RMSE: between its points on a line in logarithmic axes, beyond them by the "
+        "law of independent samples, one over the root of their number.",
         isMasked(comparison) ? "pixels that count" : "pixels",
-        isMasked(comparison) ? ", or does not count," : "", baselineOf(comparison).name);
+        isMasked(comparison) ? ", or does not count," : "",
+        generatorTitle(baselineOf(comparison).name));
 }
 
 HtmlTable tableOfErrors(const Comparison& comparison) {
     const ComparedGenerator& baseline = baselineOf(comparison);
-    HtmlTable table{"All numbers. Times are of this machine, with all that ran on it.",
-                    {"generator", "samples", "RMSE", "relative MSE"},
-                    {}};
+    HtmlTable table{
+        "All numbers; of each number of samples the least errors are marked. Times are of "
+        "this machine, with all that ran on it.",
+        {"generator", "samples", "RMSE", "relative MSE"},
+        {}};
     const auto addFiltered = [&](const std::string& what) {
         for (const render::GaussianBlur& blur : comparison.measure.blurs) {
             table.header.push_back(what + " at " + filterName(blur.sigma()));
@@ -93,15 +112,16 @@ HtmlTable tableOfErrors(const Comparison& comparison) {
     };
     addFiltered("RMSE");
     table.header.emplace_back("seconds");
-    table.header.push_back("samples of " + baseline.name);
+    table.header.push_back("as samples of " + generatorTitle(baseline.name));
     if (hasUncertainties(comparison)) {
-        table.header.emplace_back("+- RMSE");
-        addFiltered("+-");
+        table.header.emplace_back("\u00b1 RMSE");
+        addFiltered("\u00b1");
         table.caption += " The last columns are standard errors.";
     }
     for (const ComparedGenerator& generator : comparison.generators) {
         for (const ComparedImage& image : generator.images) {
-            std::vector<std::string> row{generator.name, fmt::format("{}", image.samples)};
+            std::vector<std::string> row{generatorTitle(generator.name),
+                                         fmt::format("{}", image.samples)};
             const auto addNumbers = [&row](const char* format, const std::vector<double>& numbers) {
                 for (const double number : numbers) {
                     row.push_back(fmt::format(fmt::runtime(format), number));
@@ -118,47 +138,65 @@ HtmlTable tableOfErrors(const Comparison& comparison) {
             table.rows.push_back(std::move(row));
         }
     }
+    const std::size_t counts = baseline.images.size(), generators = comparison.generators.size();
+    const std::size_t errors = 2 + comparison.measure.blurs.size();
+    for (std::size_t i = 0; i < counts; ++i) {
+        std::vector<std::size_t> ofCount;
+        for (std::size_t g = 0; g < generators; ++g) ofCount.push_back(g * counts + i);
+        for (std::size_t c = 2; c < 2 + errors; ++c) table.markBest(c, ofCount, Best::least);
+    }
     return table;
 }
 
 HtmlTable tableOfRatios(const Comparison& comparison) {
     const ComparedGenerator& baseline = baselineOf(comparison);
-    HtmlTable table{fmt::format("RMSE relative to that of {} with as many samples: less is better.",
-                                baseline.name),
-                    {"generator", "filter"},
-                    {}};
+    HtmlTable table{
+        fmt::format("RMSE over that of \u201c{}\u201d with as many samples: less is better, the "
+                    "least after each filter is marked.",
+                    generatorTitle(baseline.name)),
+        {"generator", "filter"},
+        {}};
     for (const ComparedImage& image : baseline.images) {
         table.header.push_back(samplesText(image.samples));
     }
     for (const RelativeErrors& errors : relativeErrors(comparison)) {
-        std::vector<std::string> row{errors.generator, errors.filter};
+        std::vector<std::string> row{generatorTitle(errors.generator), errors.filter};
         for (const double ratio : errors.ratios) row.push_back(ratioText(ratio));
         table.rows.push_back(std::move(row));
+    }
+    const std::size_t filters = 1 + comparison.measure.blurs.size();
+    for (std::size_t filter = 0; filter < filters; ++filter) {
+        std::vector<std::size_t> ofFilter;
+        for (std::size_t r = filter; r < table.rows.size(); r += filters) ofFilter.push_back(r);
+        for (std::size_t c = 2; c < table.header.size(); ++c) {
+            table.markBest(c, ofFilter, Best::least);
+        }
     }
     return table;
 }
 
-void addErrors(const Comparison& comparison, const std::string& figure, HtmlPage& page) {
+void addErrors(const Comparison& comparison, const std::vector<HtmlPicture>& curves,
+               HtmlPage& page) {
     page.section("Errors");
-    page.paragraph(explanation(comparison));
-    if (figure.empty()) {
+    if (curves.empty()) {
         page.paragraph("All images equal the reference, so there are no error curves to draw.");
     } else {
-        page.figure({{{"Error curves of the generators", figure}},
-                     "Error against the number of samples and against time, in logarithmic axes."});
+        page.figure({curves,
+                     "Error against the number of samples and against time, in logarithmic axes.",
+                     2});
     }
     if (comparison.generators.size() > 1) page.table(tableOfRatios(comparison));
     page.table(tableOfErrors(comparison));
+    page.paragraph(explanation(comparison));
 }
 
-void addSpectra(const std::string& figure, HtmlPage& page) {
+void addSpectra(const std::vector<HtmlPicture>& spectra, HtmlPage& page) {
     page.section("Spectra");
     page.paragraph(
         "How the power of the errors is spread over frequencies, as means over rings of "
         "them, in units of the mean of all. White noise is 1 at each. What is below 1 at "
         "low frequencies, to the left, looks better and is easier to filter.");
-    page.figure({{{"Spectra of the errors", figure}},
-                 "The radial power spectrum of the errors, by samples of each pixel."});
+    page.figure({spectra, "The radial power spectrum of the errors, by samples of each pixel.", 3});
 }
 
 /// One picture of each generator, and the reference.
@@ -168,15 +206,15 @@ HtmlFigure rowOfCrops(const Comparison& comparison, std::size_t image, const std
     const std::string samples =
         samplesText(comparison.generators.front().images[image].samples) + " of each pixel";
     HtmlFigure figure;
-    std::string names;
     for (const ComparedGenerator& generator : comparison.generators) {
-        figure.pictures.push_back({fmt::format("{}, {}{}", generator.name, samples, after),
-                                   pngOf(crop(generator.images[image]))});
-        names += generator.name + ", ";
+        const std::string title = generatorTitle(generator.name);
+        figure.pictures.push_back({fmt::format("{}, {}{}", title, samples, after),
+                                   pngOf(crop(generator.images[image])), title});
     }
-    figure.pictures.push_back({"The same part of the reference" + after, pngOf(reference)});
-    if (figure.pictures.size() > 3) figure.columns = 4;
-    figure.caption = fmt::format("{}{}: {}and the reference.", samples, after, names);
+    figure.pictures.push_back(
+        {"The same part of the reference" + after, pngOf(reference), "Reference"});
+    figure.columns = figure.pictures.size() > 2 ? 4 : 2;
+    figure.caption = fmt::format("{}{}.", samples, after);
     return figure;
 }
 
@@ -205,20 +243,19 @@ void addCrops(const Comparison& comparison, HtmlPage& page) {
 
 } // namespace
 
-std::string comparePage(const Comparison& comparison, const CompareFigures& figures,
+std::string comparePage(const Comparison& comparison, const ComparePictures& pictures,
                         const std::string& command) {
-    std::string names;
+    std::vector<std::string> titles;
     for (const ComparedGenerator& generator : comparison.generators) {
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", generator.name);
+        titles.push_back(generatorTitle(generator.name));
     }
-    HtmlPage page(fmt::format("{}: generators compared", comparison.scene),
-                  fmt::format("How far images of the scene are from a reference, by the generator "
-                              "of their samples: {}.",
-                              names));
-    addReference(comparison, page);
-    addErrors(comparison, figures.errors, page);
-    if (!figures.spectra.empty()) addSpectra(figures.spectra, page);
+    HtmlPage page("Samples compared in pictures", verdictOf(comparison),
+                  fmt::format("Images of {}, by what their samples are: {}.",
+                              sceneTitle(comparison.scene), fmt::join(titles, "; ")));
     addCrops(comparison, page);
+    addErrors(comparison, pictures.errors, page);
+    if (!pictures.spectra.empty()) addSpectra(pictures.spectra, page);
+    addReference(comparison, page);
     page.section("How to make this again");
     page.code(command);
     page.paragraph(versionLine() + ".");

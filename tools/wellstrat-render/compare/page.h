@@ -4,19 +4,21 @@
 
 #pragma once
 
+#include "common/output/html_page.h"
 #include "result.h"
 
 #include <string>
+#include <vector>
 
 namespace wellstrat::cli {
 
-/// The bytes of the plots, empty if there are no errors.
-struct CompareFigures {
-    std::string errors, spectra;
+/// The plots, none if there are no errors.
+struct ComparePictures {
+    std::vector<HtmlPicture> errors, spectra;
 };
 
 /// The page. `command` is what makes it again.
-std::string comparePage(const Comparison& comparison, const CompareFigures& figures,
+std::string comparePage(const Comparison& comparison, const ComparePictures& pictures,
                         const std::string& command);
 
 } // namespace wellstrat::cli

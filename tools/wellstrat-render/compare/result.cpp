@@ -70,6 +70,10 @@ double percentOf(const render::PixelMask& mask) {
     return 100 * static_cast<double>(countOf(mask)) / static_cast<double>(mask.counts.size());
 }
 
+std::string samplesText(uint32_t samples) {
+    return fmt::format("{} {}", samples, samples == 1 ? "sample" : "samples");
+}
+
 std::string filterName(double sigma) { return fmt::format("{:g}px", sigma); }
 
 std::vector<RelativeErrors> relativeErrors(const Comparison& comparison) {

@@ -81,6 +81,9 @@ bool isMasked(const Comparison& comparison);
 /// Which part of the pixels counts, in percent.
 double percentOf(const render::PixelMask& mask);
 
+/// "1 sample", "4 samples".
+std::string samplesText(uint32_t samples);
+
 /// How tables call a blur, such as "2px".
 std::string filterName(double sigma);
 

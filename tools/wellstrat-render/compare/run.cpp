@@ -5,6 +5,7 @@
 #include "common/command_line/errors.h"
 #include "common/command_line/messages.h"
 #include "common/command_line/options.h"
+#include "common/output/readable_names.h"
 #include "image/run.h"
 #include "measure.h"
 
@@ -30,9 +31,9 @@ ImageRun imageOf(const CompareOptions& options, const CompareJob& job, const Ran
 std::string originOfMeans(const CompareOptions& options, const std::string& name,
                           uint32_t samples) {
     return fmt::format(
-        "the mean of each image over its {} seeds; shown is that of {} with {} "
+        "the mean of each image over its {} seeds; shown is that of \u201c{}\u201d with {} "
         "samples of each pixel",
-        *options.seeds, name, samples);
+        *options.seeds, generatorTitle(name), samples);
 }
 
 /// Fills in what the options ask to measure, smooth areas as they are in the reference.
@@ -71,8 +72,8 @@ bool renderReference(const CompareOptions& options, const CompareJob& job, const
     if (!ranks.isRoot()) return true;
     Reference& reference = comparison.reference;
     reference.film = meanOf(halves);
-    reference.origin = fmt::format("pmj, twice {} samples of each pixel, seeds {} and {}", samples,
-                                   seeds[0], seeds[1]);
+    reference.origin =
+        fmt::format("twice {} samples of each pixel, seeds {} and {}", samples, seeds[0], seeds[1]);
     chooseMeasure(options, job, comparison);
     reference.error = render::filmError(halves[0], halves[1], comparison.measure).rmse / 2;
     return true;

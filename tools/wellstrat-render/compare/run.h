@@ -45,7 +45,6 @@ struct CompareJob {
     std::optional<render::FilmPart> reference; ///< of --reference
     std::optional<render::PixelMask> mask;     ///< of a file
     std::unique_ptr<OutputFile> file;          ///< of rank 0
-    std::unique_ptr<Picture> curves, spectra;  ///< if they are kept
 };
 
 /// The samples of the reference, if one is rendered.

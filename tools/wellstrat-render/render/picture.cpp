@@ -75,10 +75,11 @@ void sayDone(const RenderOptions& options, const Picture& picture, const render:
     const std::string frame =
         isSequence(options) ? fmt::format(", frame {}", picture.frame) : std::string();
     writeMessage(STDOUT_FILENO,
-                 fmt::format("{}{}: {}x{} pixels, {} samples each, {:.2f} s, {} path "
+                 fmt::format("{}{}: {}x{} pixels, {} {} each, {:.2f} s, {} path "
                              "segments a second\n",
                              oneLine(options.scene.scene), frame, film.width(), film.height(),
-                             countText(film), cost.seconds,
+                             countText(film), countText(film) == "1" ? "sample" : "samples",
+                             cost.seconds,
                              rateText(static_cast<double>(cost.segments) / cost.seconds)));
 }
 

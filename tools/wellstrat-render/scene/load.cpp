@@ -48,7 +48,9 @@ render::Scene sceneOf(const SceneOptions& options) {
         throw CliError(fmt::format("there is no file '{}'; built-in scenes are {}", name, names));
     }
     declareInput(name);
-    return render::readScene(name, {options.cameraName, options.cameraNumber});
+    render::Scene scene = render::readScene(name, {options.cameraName, options.cameraNumber});
+    for (const std::string& file : scene.files) declareInput(file);
+    return scene;
 }
 
 /// The point in front of a camera at which it is focused.

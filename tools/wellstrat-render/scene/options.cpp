@@ -3,6 +3,7 @@
 #include "options.h"
 
 #include "common/command_line/options.h"
+#include "common/command_line/shell_word.h"
 
 #include "renderer/film.h"
 
@@ -100,12 +101,6 @@ CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
     addReal(command, "--focus", options.focus, {1 / kMostUnits, kMostUnits},
             "Distance of what is sharp");
     return scene;
-}
-
-std::string shellWord(const std::string& text) {
-    std::string word = "'";
-    for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-    return word + "'";
 }
 
 std::string sceneArguments(const SceneOptions& options, ImageSize size) {

@@ -39,7 +39,4 @@ CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options);
 /// The options as arguments of a command line for a shell, with all that has a default.
 std::string sceneArguments(const SceneOptions& options, ImageSize size);
 
-/// A word of a command line as shells read it.
-std::string shellWord(const std::string& text);
-
 } // namespace wellstrat::cli

@@ -153,14 +153,13 @@ void reportSpectra(const Measures& measures, Report& report) {
 void reportIndependence(const Measures& measures, Report& report) {
     if (measures.independence.empty()) return;
     report.section(
-        "independence: probabilities are those of a random order; the order of stratified "
-        "samples\nis not quite random, which makes spread and chi-square up to 1.3 times as "
-        "large");
+        "independence: probabilities are those of streams in nested random orders of their own, as "
+        "random\nnumbers and scrambled nets are");
     for (const FamilyIndependence& family : measures.independence) {
         report.section(fmt::format("{}", family.name).c_str());
         report.line(
             "  {} coordinate pairs; spread of their correlations {:.3f}, mean chi-square "
-            "{:.3f} on {} x {} cells (both 1 if in random order)",
+            "{:.3f} on {} x {} cells (both 1 if independent)",
             family.report.pairs, family.report.correlationSpread, family.report.meanChiSquare,
             family.gridSide, family.gridSide);
         report.line("  {:<40} {:>12} {:>12} {:>12}", "worst pairs", "correlation", "chi-square",

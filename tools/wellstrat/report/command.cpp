@@ -10,13 +10,14 @@
 #include "common/command_line/progress.h"
 #include "common/command_line/versions.h"
 #include "common/output/output_file.h"
+#include "common/output/page_plots.h"
 #include "common/ranks/run_on_ranks.h"
 #include "options.h"
 #include "sections.h"
+#include "verdict.h"
 
 #include <fmt/format.h>
 
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,35 +51,10 @@ StudyPlan planOf(const ReportOptions& options) {
     return plan;
 }
 
-/// Draws the pictures of a page, and keeps their files if asked to.
-class ReportPlots {
-public:
-    ReportPlots(const ReportOptions& options, std::size_t count)
-        : stem_(options.output.substr(0, options.output.rfind('.'))), keep_(options.keepPlotFiles),
-          count_(static_cast<double>(count)) {}
-
-    std::string draw(const std::string& name, const Plot& plot) {
-        progress_.show(++done_ / count_);
-        if (!keep_) return drawPlot(plot, ".svg").picture;
-        kept_.emplace_back("-o", fmt::format("{}-{}.svg", stem_, name), true);
-        return kept_.back().draw(plot);
-    }
-    void commit() {
-        for (Picture& picture : kept_) picture.commit();
-    }
-
-private:
-    std::string stem_;
-    bool keep_;
-    double count_, done_ = 0;
-    std::deque<Picture> kept_;
-    ProgressBar progress_{"pictures"};
-};
-
 void addGenerators(const std::vector<ReportSubject>& subjects, HtmlPage& page) {
-    HtmlTable table{"What is compared.", {"generator", "its points"}, {}};
+    HtmlTable table{"What is compared.", {"generator", "its points", "name in commands"}, {}};
     for (const ReportSubject& subject : subjects) {
-        table.rows.push_back({subject.name, subject.description});
+        table.rows.push_back({subject.title, subject.description, "`" + subject.name + "`"});
     }
     page.table(table);
 }
@@ -104,14 +80,11 @@ void addCommands(const ReportOptions& options, HtmlPage& page) {
 }
 
 std::string pageOf(const ReportOptions& options, const ReportContents& contents,
-                   const std::optional<BenchResults>& bench, ReportPlots& plots) {
-    HtmlPage page("Samples in pictures and numbers",
+                   const std::optional<BenchResults>& bench, const DrawReportPlot& draw) {
+    HtmlPage page("Samples in pictures and numbers", verdictOf(contents),
                   fmt::format("How well {} generators of samples distribute their points, and what "
                               "that does to the error of integrals. Made by {}.",
                               contents.subjects.size(), versionLine()));
-    const DrawReportPlot draw = [&plots](const std::string& name, const Plot& plot) {
-        return plots.draw(name, plot);
-    };
     ReportWriter report{contents, draw, page};
     addGenerators(contents.subjects, page);
     addPoints(report);
@@ -153,8 +126,16 @@ int run(const ReportOptions& options, const Ranks& ranks, const Report& report) 
     }
     const ReportContents contents{options.size(), measureSubjects(plan.sources, options.size()),
                                   plan, result, studyCurves(plan, result, kFitFrom)};
-    ReportPlots plots(options, kPicturesPerGenerator * plan.sources.size() + kOtherPictures);
-    report.file->write(pageOf(options, contents, report.bench, plots));
+    PagePlots plots(options.output, options.keepPlotFiles);
+    ProgressBar progress("pictures");
+    const std::size_t pictures =
+        kPicturesPerGenerator * plan.sources.size() + plan.integrands.size() + kOtherPictures;
+    std::size_t done = 0;
+    const DrawReportPlot draw = [&](const std::string& name, const Plot& plot) {
+        progress.show(static_cast<double>(++done) / static_cast<double>(pictures));
+        return plots.draw(name, plot);
+    };
+    report.file->write(pageOf(options, contents, report.bench, draw));
     report.file->commit();
     plots.commit();
     return 0;

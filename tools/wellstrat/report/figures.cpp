@@ -16,7 +16,8 @@ namespace {
 constexpr auto kCurves = R"(set tics nomirror
 set border 3
 set grid lc rgb 0xdddddd lt 1
-set key outside right center samplen 2 spacing 1.2 noenhanced
+set key below samplen 2 spacing 1 noenhanced
+set autoscale xfix
 )";
 
 constexpr auto kPlanes = R"(set size ratio -1
@@ -39,15 +40,29 @@ set grid xtics lc rgb 0xdddddd lt 1
 set offsets 0, graph 0.08, 0, 0
 )";
 
+constexpr unsigned kCurvesWidth = 600, kCurvesHeight = 460;
+
 /// A plot command with a curve for each generator: column `column` of the set `set`.
 std::string curves(const std::vector<ReportSubject>& subjects, const char* set, int column) {
     std::string text;
     for (std::size_t g = 0; g < subjects.size(); ++g) {
         text += fmt::format("{}data index '{}{}' using 1:{} with lines lw 1.8 {} title '{}'",
                             g == 0 ? "" : ", \\\n     ", set, g, column, curveStyle(g),
-                            plainName(subjects[g].name));
+                            plainName(subjects[g].title));
     }
     return text + "\n";
+}
+
+/// Column `column` of the radial spectra of (x, y).
+Plot ringsFigure(const std::vector<ReportSubject>& subjects, const char* title, const char* range,
+                 int column) {
+    PlotData data;
+    for (std::size_t g = 0; g < subjects.size(); ++g) {
+        writeRadial(data, subjects[g].inCube.spectra.front().radial, g);
+    }
+    return {fmt::format("{}set xlabel 'frequency'\nset title '{}'\nplot [] {} {}", kCurves, title,
+                        range, curves(subjects, "radial", column)),
+            data.take(), kCurvesWidth, kCurvesHeight};
 }
 
 } // namespace
@@ -57,13 +72,13 @@ Plot periodogramFigure(const ReportSubject& subject) {
     const auto planes = static_cast<unsigned>(subject.inCube.spectra.size());
     PlotData data;
     std::string script =
-        fmt::format("{}set multiplot layout 1,{} title '{}' noenhanced font ',16'\n", kPlanes,
-                    planes, plainName(subject.name));
+        fmt::format("{}set multiplot layout 1,{} title '{}' noenhanced font ',24'\n", kPlanes,
+                    planes, plainName(subject.title));
     for (unsigned p = 0; p < planes; ++p) {
         const PlaneSpectrum& plane = subject.inCube.spectra[p];
         writePeriodogram(data, plane.periodogram, p);
         script += fmt::format(
-            "set title '{0}'\nplot [-{2}:{2}] [-{2}:{2}] "
+            "set title '{0}' font ',20'\nplot [-{2}:{2}] [-{2}:{2}] "
             "data index 'periodogram{1}' with image\n",
             projectionName(plane.projection, subject.inCube.dims), p,
             shownFrequency(plane.periodogram) + 0.5);
@@ -72,16 +87,11 @@ Plot periodogramFigure(const ReportSubject& subject) {
 }
 
 Plot radialFigure(const std::vector<ReportSubject>& subjects) {
-    PlotData data;
-    for (std::size_t g = 0; g < subjects.size(); ++g) {
-        writeRadial(data, subjects[g].inCube.spectra.front().radial, g);
-    }
-    const std::string script = fmt::format(
-        "{}set multiplot layout 1,2\nset xlabel 'frequency'\nset xrange [0:*]\n"
-        "set title 'radial mean (dB)'\nplot [] [-40:10] {}"
-        "set title 'anisotropy (dB)'\nplot [] [-30:30] {}unset multiplot\n",
-        kCurves, curves(subjects, "radial", 2), curves(subjects, "radial", 3));
-    return {script, data.take(), 1280, 440};
+    return ringsFigure(subjects, "radial mean (dB)", "[-40:10]", 2);
+}
+
+Plot anisotropyFigure(const std::vector<ReportSubject>& subjects) {
+    return ringsFigure(subjects, "anisotropy (dB)", "[-30:30]", 3);
 }
 
 Plot pairsFigure(const std::vector<ReportSubject>& subjects) {
@@ -91,9 +101,9 @@ Plot pairsFigure(const std::vector<ReportSubject>& subjects) {
     }
     const std::string script = fmt::format(
         "{}set xlabel 'distance'\nset title 'pair correlation of (x, y)'\n"
-        "plot [0:*] [0:2] {}",
+        "plot [] [0:2] {}",
         kCurves, curves(subjects, "pairs", 2));
-    return {script, data.take(), 860, 440};
+    return {script, data.take(), kCurvesWidth, kCurvesHeight};
 }
 
 Plot speedFigure(const std::vector<BenchTime>& times) {

@@ -16,8 +16,11 @@ namespace wellstrat::cli {
 /// of independent points on.
 Plot periodogramFigure(const ReportSubject& subject);
 
-/// Radial mean and anisotropy of (x, y), a curve for each generator.
+/// Radial mean of (x, y), a curve for each generator.
 Plot radialFigure(const std::vector<ReportSubject>& subjects);
+
+/// Anisotropy of (x, y) by frequency, a curve for each generator.
+Plot anisotropyFigure(const std::vector<ReportSubject>& subjects);
 
 /// Pair correlation of (x, y), a curve for each generator.
 Plot pairsFigure(const std::vector<ReportSubject>& subjects);

@@ -15,6 +15,12 @@ namespace {
 
 std::string shortNumber(double value) { return fmt::format("{:.3g}", value); }
 
+/// "L2 wrap-around" for wrap_around.
+std::string l2Title(std::string name) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return "L2 " + name;
+}
+
 std::string starText(const StarBounds& star) {
     if (star.exact()) return errorNumber(star.lower);
     return fmt::format("{} to {}", errorNumber(star.lower), errorNumber(star.upper));
@@ -33,7 +39,7 @@ void addWorstPairs(ReportWriter& report) {
             for (std::size_t k = 0; k < std::min(kShown, worst.size()); ++k) {
                 const CoordinatePair& pair = worst[k];
                 table.rows.push_back(
-                    {subject.name,
+                    {subject.title,
                      coordinateName(family, pair.first, pair.firstDim, subject.inPlane.dims),
                      coordinateName(family, pair.second, pair.secondDim, subject.inPlane.dims),
                      fmt::format("{:.3f}", pair.correlation), fmt::format("{:.2f}", pair.chiSquare),
@@ -50,21 +56,25 @@ void addDiscrepancyTable(ReportWriter& report, Measures ReportSubject::*measures
         fmt::format("Discrepancies of the first {} points in {}: how far the share of points in a "
                     "box is from its volume, at worst (star) and in the mean (L2). Smaller is "
                     "better. The last column is the smallest distance between two points on the "
-                    "torus, as a share of the largest that is possible.",
+                    "torus, as a share of the largest that is possible: larger is better. The best "
+                    "are marked.",
                     report.contents.size.count, space),
         {"generator", "star"},
         {}};
-    for (const NamedL2& kind : kL2Kinds) table.header.push_back(fmt::format("L2 {}", kind.name));
+    for (const NamedL2& kind : kL2Kinds) table.header.push_back(l2Title(kind.name));
     table.header.emplace_back("smallest distance");
     for (const ReportSubject& subject : report.contents.subjects) {
         const Measures& found = subject.*measures;
-        table.rows.push_back({subject.name, starText(*found.star)});
+        table.rows.push_back({subject.title, starText(*found.star)});
         std::vector<std::string>& row = table.rows.back();
         for (const std::optional<double>& value : found.l2) {
             row.push_back(value ? errorNumber(*value) : "-");
         }
         row.push_back(fmt::format("{:.3f}", packing(found).value_or(0)));
     }
+    const std::size_t last = table.header.size() - 1;
+    for (std::size_t c = 1; c < last; ++c) table.markBest(c, Best::least);
+    table.markBest(last, Best::most);
     report.page.table(table);
 }
 
@@ -79,11 +89,10 @@ void addIndependence(ReportWriter& report) {
         "not cancel. Here each coordinate of each stream of 2D samples is tested against each "
         "coordinate of the others.");
     report.page.paragraph(
-        "Streams of generators other than pmj and random are taken from their second domain, "
-        "because the order of the first one is the same for all patterns. The order of stratified "
-        "samples is not quite random, even with exact Owen scrambling: spread and mean chi-square "
-        "come out up to 1.6, and single pairs look unlikely. So compare well-stratified generators "
-        "with each other. Streams that depend on each other have a mean chi-square many times as "
+        "Streams of sequences of others are taken from their second domain, because the order of "
+        "the first one is the same for all patterns. What is expected is exact for random numbers "
+        "and for nets whose orders are scrambled, Owen's nested shuffles, as for others whose "
+        "orders are random. Streams that depend on each other have a mean chi-square many times as "
         "large, or far below 1 if they are too even.");
     HtmlTable table{
         fmt::format("{} samples of each stream; chi-square on {} x {} cells. Spread of "
@@ -97,7 +106,7 @@ void addIndependence(ReportWriter& report) {
         for (const FamilyIndependence& family : subject.inPlane.independence) {
             const IndependenceReport& found = family.report;
             table.rows.push_back(
-                {subject.name, family.name, fmt::to_string(family.streams.size()),
+                {subject.title, family.name, fmt::to_string(family.streams.size()),
                  fmt::to_string(found.pairs), fmt::format("{:.2f}", found.correlationSpread),
                  fmt::format("{:.2f}", found.meanChiSquare), shortNumber(found.probability())});
         }
@@ -115,7 +124,7 @@ void addNets(ReportWriter& report) {
         "than 1.");
     HtmlTable table{fmt::format("t of the first {} points of each projection; in parentheses the "
                                 "largest t of all its aligned blocks of 1, 2, 4, ... points. "
-                                "Unstratified points come close to {}.",
+                                "Unstratified points come close to {}. The least t are marked.",
                                 first.count, std::lround(std::log2(double(first.count)))),
                     {"generator"},
                     {}};
@@ -124,7 +133,7 @@ void addNets(ReportWriter& report) {
     }
     table.header.emplace_back("base-4 boxes of (x, y, z)");
     for (const ReportSubject& subject : report.contents.subjects) {
-        table.rows.push_back({subject.name});
+        table.rows.push_back({subject.title});
         std::vector<std::string>& row = table.rows.back();
         for (const NetQuality& net : subject.inCube.nets) {
             row.push_back(net.sequenceT ? fmt::format("{} ({})", net.t, *net.sequenceT)
@@ -133,6 +142,7 @@ void addNets(ReportWriter& report) {
         const std::optional<bool>& boxes = subject.inCube.nets.back().holdsBase4Boxes;
         row.emplace_back(!boxes ? "-" : (*boxes ? "one point each" : "not one each"));
     }
+    for (std::size_t c = 1; c <= first.nets.size(); ++c) table.markBest(c, Best::least);
     report.page.table(table);
 }
 

@@ -4,6 +4,7 @@
 
 #include "common/command_line/generators.h"
 #include "common/command_line/options.h"
+#include "common/command_line/shell_word.h"
 #include "study/plan.h"
 
 #include <fmt/format.h>
@@ -33,16 +34,6 @@ constexpr ReportEffort kThorough{" --thorough", 4096, 5000, kUsual.counts};
 
 /// Spectra change little beyond so many patterns.
 constexpr uint64_t kMaxSpectrumPatterns = 100;
-
-/// As a shell takes it for one word.
-std::string shellWord(const std::string& text) {
-    constexpr auto kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+-";
-    if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
 
 std::string listWord(const std::vector<std::string>& names) {
     return shellWord(fmt::format("{}", fmt::join(names, ",")));

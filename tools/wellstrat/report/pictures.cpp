@@ -11,6 +11,24 @@
 #include <cmath>
 
 namespace wellstrat::cli {
+namespace {
+
+/// The three planes of each generator's 3D points.
+std::vector<HtmlPicture> projectionsOf(const ReportWriter& report) {
+    constexpr const char* kPlanes[]{"xy", "xz", "yz"};
+    std::vector<HtmlPicture> pictures;
+    for (const ReportSubject& subject : report.contents.subjects) {
+        const std::vector<Plot> plots = sampleFigures(subject.cube);
+        for (std::size_t p = 0; p < plots.size(); ++p) {
+            pictures.push_back(
+                {fmt::format("{}: 3D points in the plane {}", subject.title, kPlanes[p]),
+                 report.draw(fmt::format("projection-{}-{}", kPlanes[p], subject.name), plots[p])});
+        }
+    }
+    return pictures;
+}
+
+} // namespace
 
 void addPoints(ReportWriter& report) {
     report.page.section("Points");
@@ -25,12 +43,12 @@ void addPoints(ReportWriter& report) {
          3});
     report.page.subsection("Projections of 3D points");
     report.page.figure(
-        {report.eachGenerator("projections", "three planes of 3D points",
-                              [](const ReportSubject& s) { return sampleFigure({s.cube}); }),
+        {projectionsOf(report),
          fmt::format("The first {} points in three dimensions, seen along each axis. "
                      "Good points look good from every side. The strips show each "
                      "coordinate alone.",
-                     kCubePoints)});
+                     kCubePoints),
+         3});
     report.page.subsection("1D points in their order");
     report.page.figure(
         {report.eachGenerator("order", "values over their order",
@@ -56,23 +74,26 @@ void addSpectra(ReportWriter& report) {
                      first.realizations),
          2});
     report.page.figure(
-        {{{"radial mean and anisotropy of all generators",
-           report.draw("radial", radialFigure(report.contents.subjects))}},
+        {{{"radial mean of all generators",
+           report.draw("radial", radialFigure(report.contents.subjects))},
+          {"anisotropy of all generators",
+           report.draw("anisotropy", anisotropyFigure(report.contents.subjects))}},
          fmt::format("The same for (x, y) by distance from frequency 0. Left, the mean "
                      "power: random points lie at 0 dB, lower is better. Right, how much "
                      "directions differ: points alike in all directions lie at {:.0f} dB "
                      "with {} patterns, higher means that some directions are favored.",
-                     -10 * std::log10(double(first.realizations)), first.realizations)});
+                     -10 * std::log10(double(first.realizations)), first.realizations),
+         2});
     HtmlTable table{
         "The strongest frequency of each plane, as a multiple of the power of random "
-        "points. Values far above those of `random` would be visible patterns.",
+        "points. Values far above those of random points would be visible patterns.",
         {"generator"},
         {}};
     for (const PlaneSpectrum& plane : first.spectra) {
         table.header.push_back(projectionName(plane.projection, first.dims));
     }
     for (const ReportSubject& subject : report.contents.subjects) {
-        table.rows.push_back({subject.name});
+        table.rows.push_back({subject.title});
         for (const PlaneSpectrum& plane : subject.inCube.spectra) {
             table.rows.back().push_back(
                 fmt::format("{:.3g} at ({}, {})", plane.peak.power, plane.peak.fx, plane.peak.fy));

@@ -44,15 +44,15 @@ struct ReportWriter {
                                            MakePlot makePlot) const {
         std::vector<HtmlPicture> pictures;
         for (const ReportSubject& subject : contents.subjects) {
-            pictures.push_back({subject.name + ": " + description,
+            pictures.push_back({subject.title + ": " + description,
                                 draw(name + "-" + subject.name, makePlot(subject))});
         }
         return pictures;
     }
 };
 
-/// How many pictures the sections have.
-constexpr std::size_t kPicturesPerGenerator = 4, kOtherPictures = 4;
+/// How many pictures the sections have, beside one for each integrand.
+constexpr std::size_t kPicturesPerGenerator = 6, kOtherPictures = 4;
 
 void addPoints(ReportWriter& report);
 void addSpectra(ReportWriter& report);

@@ -5,6 +5,7 @@
 #include "analyze/subjects.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/progress.h"
+#include "common/output/readable_names.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -46,9 +47,11 @@ std::vector<ReportSubject> measureSubjects(const std::vector<StudySource>& sourc
     std::vector<ReportSubject> subjects;
     for (const StudySource& source : sources) {
         const auto stream = [&source](unsigned dims, std::size_t count) {
-            return SampleStream{source.name, setOf(source, dims, count, 1).points(0)};
+            return SampleStream{generatorTitle(source.name),
+                                setOf(source, dims, count, 1).points(0)};
         };
         subjects.push_back({source.name,
+                            generatorTitle(source.name),
                             descriptionOf(source.name),
                             stream(1, kLinePoints),
                             stream(2, kPlanePoints),

@@ -29,7 +29,9 @@ struct ReportSize {
 /// A generator, points of its pattern 0 and their measures. `inPlane` has independence, `inCube`
 /// the spectra of `realizations`.
 struct ReportSubject {
-    std::string name, description;
+    std::string name;  ///< as options take it
+    std::string title; ///< as readers see it
+    std::string description;
     SampleStream line, plane, cube;
     Measures inPlane, inCube;
 };

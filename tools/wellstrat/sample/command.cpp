@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "common/command_line/errors.h"
 #include "common/command_line/options.h"
+#include "common/command_line/progress.h"
 #include "figure.h"
 #include "formats.h"
 #include "points/sampling.h"
@@ -91,7 +92,8 @@ void sample(const SampleOptions& options) {
     const SampleFormat& format =
         options.format ? findFormat(*options.format) : formatOfFile(output);
     const bool writes = !options.plot || options.output || options.format;
-    if (writes && isBinary(format) && output == "-" && isatty(STDOUT_FILENO) != 0) {
+    const bool toTerminal = output == "-" && isatty(STDOUT_FILENO) != 0;
+    if (writes && isBinary(format) && toTerminal) {
         throw CliError("--format npy is binary and does not go to a terminal; use -o FILE");
     }
     std::unique_ptr<OutputFile> file;
@@ -107,7 +109,11 @@ void sample(const SampleOptions& options) {
         picture->draw(sampleFigure(streams));
     }
     if (file) {
-        writeSamples(runs.front(), format, *file);
+        std::optional<ProgressBar> bar; // which would stand among the samples on a terminal
+        if (!toTerminal) bar.emplace("samples");
+        writeSamples(runs.front(), format, *file, [&](double share) {
+            if (bar) bar->show(share);
+        });
         file->commit();
     }
     if (picture) picture->commit();

@@ -129,4 +129,14 @@ Plot sampleFigure(const std::vector<SampleStream>& streams) {
             static_cast<unsigned>(rows) * kPanelHeight};
 }
 
+std::vector<Plot> sampleFigures(const SampleStream& stream) {
+    std::vector<Plot> plots;
+    for (const StrataPanel& panel : strataPanels(stream)) {
+        PlotData data;
+        writeData(data, panel, 0);
+        plots.push_back({kStyle + panelScript(panel, 0), data.take(), kPanelWidth, kPanelHeight});
+    }
+    return plots;
+}
+
 } // namespace wellstrat::cli

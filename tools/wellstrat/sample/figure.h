@@ -20,4 +20,7 @@ constexpr uint64_t kMaxFigurePoints = 65536;
 /// points. The strata are those of the largest power of two that is not above their number.
 Plot sampleFigure(const std::vector<SampleStream>& streams);
 
+/// The same of one stream, a picture for each panel.
+std::vector<Plot> sampleFigures(const SampleStream& stream);
+
 } // namespace wellstrat::cli

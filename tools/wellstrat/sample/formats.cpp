@@ -104,15 +104,18 @@ const SampleFormat& formatOfFile(const std::string& path) {
 
 bool isBinary(const SampleFormat& format) { return format.binary; }
 
-void writeSamples(const SampleRun& run, const SampleFormat& format, OutputFile& out) {
+void writeSamples(const SampleRun& run, const SampleFormat& format, OutputFile& out,
+                  const std::function<void(double)>& progress) {
     constexpr size_t kFlushBytes = size_t{1} << 16;
     Buffer buffer;
-    bool first = true;
+    uint64_t done = 0;
     format.begin(buffer, run);
     drawSamples(run, [&](const float* xi) {
-        format.point(buffer, run, xi, first);
-        first = false;
-        if (buffer.size() >= kFlushBytes) flush(buffer, out);
+        format.point(buffer, run, xi, done == 0);
+        ++done;
+        if (buffer.size() < kFlushBytes) return;
+        flush(buffer, out);
+        progress(static_cast<double>(done) / static_cast<double>(run.count));
     });
     format.end(buffer);
     flush(buffer, out);

@@ -7,6 +7,7 @@
 #include "common/output/output_file.h"
 #include "points/sampling.h"
 
+#include <functional>
 #include <string>
 
 namespace wellstrat::cli {
@@ -24,7 +25,9 @@ const SampleFormat& formatOfFile(const std::string& path);
 /// Whether files of this format are not text.
 bool isBinary(const SampleFormat& format);
 
-/// Draws the samples of `run` and writes them. Memory does not grow with their number.
-void writeSamples(const SampleRun& run, const SampleFormat& format, OutputFile& out);
+/// Draws the samples of `run` and writes them. Memory does not grow with their number. Tells
+/// `progress` now and then which part is done.
+void writeSamples(const SampleRun& run, const SampleFormat& format, OutputFile& out,
+                  const std::function<void(double)>& progress);
 
 } // namespace wellstrat::cli

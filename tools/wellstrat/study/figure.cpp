@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "common/output/axes.h"
 #include "common/output/curve_style.h"
+#include "common/output/readable_names.h"
 #include "output.h"
 
 #include <fmt/format.h>
@@ -13,15 +15,14 @@ namespace wellstrat::cli {
 namespace {
 
 constexpr unsigned kPanelWidth = 480;
-constexpr unsigned kPanelHeight = 400;
+constexpr unsigned kPanelHeight = 340;
+constexpr unsigned kLegendLine = 20;
 
-constexpr auto kStyle = R"(set logscale xy
-set format x '%g'
-set format y '10^{%T}'
-set grid lc rgb 0xdddddd lt 1
+// The legend stands below, where no curve can be.
+constexpr auto kStyle = R"(set grid lc rgb 0xdddddd lt 1
 set xlabel 'points'
 set ylabel 'RMSE'
-set key bottom left samplen 2 spacing 1 noenhanced
+set key below samplen 2 spacing 1 noenhanced
 set style fill transparent solid 0.2 noborder
 )";
 
@@ -45,35 +46,59 @@ std::string curveCommand(const StudyCurve& curve, std::size_t number, std::size_
     return fmt::format(
         "     data index 'curve{0}' using 1:3:4 with filledcurves lc rgb {1} notitle, \\\n"
         "     data index 'curve{0}' using 1:2 with linespoints pt 7 ps 0.3 {2} title '{3}'{4}\n",
-        number, curveColor(place), curveStyle(place), plainName(curve.source->name),
+        number, curveColor(place), curveStyle(place), plainName(generatorTitle(curve.source->name)),
         last ? "" : ", \\");
+}
+
+/// Axes, title and curves of the integrand whose curves begin at `first`, which adds their data.
+std::string panelScript(const StudyPlan& plan, const std::vector<StudyCurve>& curves,
+                        std::size_t first, std::string& data) {
+    const std::size_t sources = plan.sources.size();
+    AxisRange x, y;
+    std::string commands;
+    for (std::size_t place = 0; place < sources; ++place) {
+        const StudyCurve& curve = curves[first + place];
+        fmt::format_to(std::back_inserter(data), "{}# curve{}\n{}", data.empty() ? "" : "\n\n",
+                       first + place, curveData(plan, curve));
+        commands += curveCommand(curve, first + place, place, place + 1 == sources);
+        for (std::size_t c = 0; c < plan.counts.size(); ++c) {
+            const ErrorEstimate& error = curve.errors[c];
+            x.add(plan.counts[c]);
+            for (const double value : {error.rmse, error.low, error.high}) y.add(value);
+        }
+    }
+    return fmt::format("\nset title '{}' noenhanced\n{}{}plot \\\n{}",
+                       plainName(integrandTitle(curves[first].integrand->name)),
+                       doublingAxis("x", x), decimalAxis("y", y), commands);
+}
+
+unsigned panelHeight(const StudyPlan& plan) {
+    return kPanelHeight + kLegendLine * static_cast<unsigned>(plan.sources.size());
 }
 
 } // namespace
 
 Plot studyFigure(const StudyPlan& plan, const StudyResult& result,
                  const std::vector<StudyCurve>& curves) {
-    const std::size_t panels = plan.integrands.size(), perPanel = plan.sources.size();
+    const std::size_t panels = plan.integrands.size();
     const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(double(panels))));
     const std::size_t rows = (panels + columns - 1) / columns;
     std::string data, script = kStyle;
     fmt::format_to(std::back_inserter(script),
                    "set multiplot layout {},{} title '{}, 95 % bands'\n", rows, columns,
                    studyTitle(plan, result));
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        const StudyCurve& curve = curves[i];
-        const std::size_t place = i % perPanel;
-        if (place == 0) {
-            script += fmt::format("\nset title '{}' noenhanced\nplot \\\n",
-                                  plainName(curve.integrand->name));
-        }
-        fmt::format_to(std::back_inserter(data), "{}# curve{}\n{}", i == 0 ? "" : "\n\n", i,
-                       curveData(plan, curve));
-        script += curveCommand(curve, i, place, place + 1 == perPanel);
+    for (std::size_t first = 0; first < curves.size(); first += plan.sources.size()) {
+        script += panelScript(plan, curves, first, data);
     }
     script += "\nunset multiplot\n";
     return {script, data, static_cast<unsigned>(columns) * kPanelWidth,
-            static_cast<unsigned>(rows) * kPanelHeight};
+            static_cast<unsigned>(rows) * panelHeight(plan)};
+}
+
+Plot studyPanel(const StudyPlan& plan, const std::vector<StudyCurve>& curves, std::size_t first) {
+    std::string data;
+    const std::string script = kStyle + panelScript(plan, curves, first, data);
+    return {script, data, kPanelWidth, panelHeight(plan)};
 }
 
 } // namespace wellstrat::cli

@@ -53,4 +53,7 @@ constexpr std::size_t kMaxPlottedIntegrands = 36;
 Plot studyFigure(const StudyPlan& plan, const StudyResult& result,
                  const std::vector<StudyCurve>& curves);
 
+/// One of these panels: that of the integrand whose curves begin at `first`.
+Plot studyPanel(const StudyPlan& plan, const std::vector<StudyCurve>& curves, std::size_t first);
+
 } // namespace wellstrat::cli

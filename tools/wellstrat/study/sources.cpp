@@ -167,6 +167,8 @@ std::vector<StudySourceKind> studySourceKinds() {
     }
     kinds.push_back({"joint", "the tables, domains stratified together: slots 0, 1, 2, ...",
                      [] { return jointSource(); }});
+    kinds.push_back({"long-words", "long with all 32 bits of a sample, of which floats have 24",
+                     sequenceSource});
     const auto addSobol = [&](const char* name, const char* description,
                               SobolRandomization randomization) {
         kinds.push_back({name, description, [=] { return sobolSource(randomization); }});
