@@ -2,61 +2,27 @@
 #include "bxdf.h"
 
 #include "color.h"
+#include "schlick.h"
 
 #include <RixShadingUtils.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace wellstrat::render {
 
 namespace {
 
-/// Smoother surfaces than this would need more than single precision.
-constexpr float kSmallestAlpha = 0x1p-10f;
-
 /// Views at a smaller cosine to the shading normal bend it towards them.
 constexpr float kSmallestCosine = 0x1p-10f;
 
-/// Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering", equation 15. What
-/// reflects less than 4 % at normal incidence reflects less than all at grazing incidence, down to
-/// nothing at all.
-struct Schlick {
-    float f0;
-
-    float f90() const { return std::min(1.0f, 25.0f * f0); }
-    float at(float cosine) const {
-        const float x = std::max(0.0f, 1.0f - cosine);
-        return f0 + (f90() - f0) * (x * x) * (x * x) * x;
-    }
-    /// The mean over the hemisphere, by the cosine.
-    float mean() const { return f0 + (f90() - f0) * (1.0f / 21.0f); }
-};
-
-Float3 schlick(Float3 f0, float cosine) {
-    // One grazing value for all channels: the color fades away there.
-    const float f90 = Schlick{largestChannel(f0)}.f90();
-    const float x = std::max(0.0f, 1.0f - cosine);
-    return lerp(f0, Float3(f90), (x * x) * (x * x) * x);
-}
+Float3 mirrored(Float3 v) { return {v.x, v.y, -v.z}; }
 
 } // namespace
 
-Bxdf::Bxdf(const Material& material, const SurfaceAttributes& attributes, Float3 geometricNormal,
-           Float3 shadingNormal, Float3 view) {
-    Float3 color = multiply(material.baseColor, attributes.color);
-    if (material.baseColorTexture)
-        color = multiply(color, material.baseColorTexture.lookup(attributes));
-    color = clamp01(color);
-    float metallic = material.metallic;
-    float roughness = material.roughness;
-    if (material.metallicRoughnessTexture) {
-        const Float3 factors = material.metallicRoughnessTexture.lookup(attributes);
-        roughness *= factors.y;
-        metallic *= factors.z;
-    }
-    metallic = clamp01(metallic);
-    roughness = clamp01(roughness);
-
+Bxdf::Bxdf(const BxdfParameters& parameters, Float3 geometricNormal, Float3 shadingNormal,
+           Float3 view)
+    : dielectricF0_(parameters.dielectricF0), f0_(parameters.f0), alpha_(parameters.alpha) {
     geometricNormal_ = RixGetForwardFacingNormal(view, geometricNormal);
     normal_ = RixGetForwardFacingNormal(geometricNormal_, shadingNormal);
     const float cosine = Dot(normal_, view);
@@ -68,32 +34,63 @@ Bxdf::Bxdf(const Material& material, const SurfaceAttributes& attributes, Float3
     view_ = toLocal(view);
     view_.z = std::max(view_.z, 0.5f * kSmallestCosine);
 
-    alpha_ = std::max(roughness * roughness, kSmallestAlpha);
-    Float3 dielectricF0 = material.specularColor * material.specularF0;
-    if (material.specularColorTexture)
-        dielectricF0 = multiply(dielectricF0, material.specularColorTexture.lookup(attributes));
-    if (material.specularTexture) dielectricF0 *= material.specularTexture.lookup(attributes).x;
-    dielectricF0 = clamp01(dielectricF0);
-    // The diffuse lobe is white behind the interface: what the brightest channel loses, all lose.
-    const Schlick dielectric{largestChannel(dielectricF0)};
-    dielectricF0_ = dielectric.f0;
-    f0_ = lerp(dielectricF0, color, metallic);
-    const float transmitted = 1.0f - dielectric.at(view_.z);
-    const Float3 diffuseAlbedo = color * ((1.0f - metallic) * transmitted);
-    diffuse_ = diffuseAlbedo * (F_INVPI / std::max(1.0f - dielectric.mean(), 0x1p-20f));
+    float passingShare = 0.0f;
+    if (parameters.ior > 0.0f) {
+        isSolid_ = parameters.isSolid;
+        metallic_ = parameters.metallic;
+        passingColor_ = parameters.passingColor;
+        const bool isInside = isSolid_ && Dot(view, geometricNormal) < 0.0f;
+        eta_ = isInside ? parameters.ior : 1.0f / parameters.ior;
+        passingShare = largestChannel(passingColor_) * (1.0f - dielectricReflection(view_.z));
+    }
+    const Float3 diffuseAlbedo = parameters.diffuseColor * (1.0f - dielectricReflection(view_.z));
+    diffuse_ = diffuseAlbedo * parameters.diffuseScale;
 
     const float diffuseShare = largestChannel(diffuseAlbedo);
-    const float specularShare = largestChannel(schlick(f0_, view_.z));
-    const float both = diffuseShare + specularShare;
-    specularProbability_ = both > 0.0f ? specularShare / both : 0.0f;
+    float specularShare = largestChannel(reflection(view_.z));
+    if (letsPass()) { // The rougher, the more microfacets reflect another part than most.
+        const float mean = 0.5f * (specularShare + passingShare);
+        const float roughness = std::sqrt(alpha_);
+        specularShare += (mean - specularShare) * roughness;
+        passingShare += (mean - passingShare) * roughness;
+    }
+    const float all = diffuseShare + specularShare + passingShare;
+    specularProbability_ = all > 0.0f ? specularShare / all : 0.0f;
+    passingProbability_ = all > 0.0f ? passingShare / all : 0.0f;
+}
+
+inline float Bxdf::dielectricReflection(float cosine) const {
+    return letsPass() ? passingDielectric(cosine) : Schlick{dielectricF0_}.at(cosine);
+}
+
+inline Float3 Bxdf::reflection(float cosine) const {
+    return letsPass() ? passingReflection(cosine) : schlick(f0_, cosine);
+}
+
+// Where light passes; functions of their own, for that is rare.
+float Bxdf::passingDielectric(float cosine) const { return fresnelDielectric(cosine, eta_); }
+
+Float3 Bxdf::passingReflection(float cosine) const {
+    return lerp(Float3(passingDielectric(cosine)), schlick(f0_, cosine), metallic_);
+}
+
+/// The visible normals have the masking of the view in them; what is left is the ratio of the
+/// masking and shadowing of both to it, Heitz 2014, equations 43 and 99.
+float Bxdf::shadowing(float inCosine, Float3 in) const {
+    const auto scaled = [this](Float3 v) {
+        return Float3(alpha_ * v.x, alpha_ * v.y, v.z).Length();
+    };
+    const float viewLength = scaled(view_);
+    return inCosine * (view_.z + viewLength) / (inCosine * viewLength + view_.z * scaled(in));
 }
 
 BxdfValue Bxdf::evaluateLocal(Float3 in) const {
     BxdfValue result{Float3(0.0f), 0.0f};
-    if (!(in.z > 0.0f)) return result;
-    if (specularProbability_ < 1.0f) {
-        result.value = diffuse_ * (in.z * (1.0f - Schlick{dielectricF0_}.at(in.z)));
-        result.pdf = (1.0f - specularProbability_) * hemisphereCosinePdf(in.z);
+    if (!(in.z > 0.0f)) return letsPass() ? evaluatePassing(in) : result;
+    const float diffuseProbability = 1.0f - specularProbability_ - passingProbability_;
+    if (diffuseProbability > 0.0f) {
+        result.value = diffuse_ * (in.z * (1.0f - dielectricReflection(in.z)));
+        result.pdf = diffuseProbability * hemisphereCosinePdf(in.z);
     }
     if (specularProbability_ > 0.0f) {
         Float3 half = in + view_;
@@ -101,38 +98,78 @@ BxdfValue Bxdf::evaluateLocal(Float3 in) const {
         const float cosine = std::max(Dot(view_, half), kSmallestCosine);
         const float normalPdf = ggxVisibleNormalPdf(half, view_, alpha_, alpha_);
         const float pdf = normalPdf / (4.0f * cosine);
-        // The visible normals have the masking of the view in them; what is left is the ratio of
-        // the masking and shadowing of both to it, Heitz 2014, equations 43 and 99.
-        const auto scaled = [this](Float3 v) {
-            return Float3(alpha_ * v.x, alpha_ * v.y, v.z).Length();
-        };
-        const float viewLength = scaled(view_);
-        const float shadowing =
-            in.z * (view_.z + viewLength) / (in.z * viewLength + view_.z * scaled(in));
-        result.value += schlick(f0_, cosine) * (pdf * shadowing);
+        result.value += reflection(cosine) * (pdf * shadowing(in.z, in));
         result.pdf += specularProbability_ * pdf;
     }
     return result;
 }
 
+/// Of a direction on the other side.
+BxdfValue Bxdf::evaluatePassing(Float3 in) const {
+    if (!(in.z < 0.0f)) return {Float3(0.0f), 0.0f};
+    Float3 half = isSolid_ ? view_ * eta_ + in : view_ + mirrored(in); // Walter 2007, equation 16
+    half.Normalize();
+    return passingBy(half.z < 0.0f ? -half : half, in);
+}
+
+/// Of a direction on the other side, to which `half` refracts the view, or reflects it before it is
+/// mirrored.
+BxdfValue Bxdf::passingBy(Float3 half, Float3 in) const {
+    const float cosine = Dot(view_, half);
+    float density = 0.0f; // of solid angles around `half` over those around `in`
+    if (isSolid_) {
+        const float behind = Dot(in, half);
+        if (!(behind < 0.0f)) return {Float3(0.0f), 0.0f};
+        const float root = eta_ * cosine + behind;
+        density = -behind / (root * root); // Walter 2007, equation 17
+    } else {
+        density = 1.0f / (4.0f * std::max(cosine, kSmallestCosine));
+    }
+    const float pdf = ggxVisibleNormalPdf(half, view_, alpha_, alpha_) * density;
+    const float passing = 1.0f - passingDielectric(cosine);
+    return {passingColor_ * (passing * pdf * shadowing(-in.z, in)), passingProbability_ * pdf};
+}
+
+/// Chooses the direction to which a microfacet turns the view. False if it reflects all of it, or
+/// if that is not on the other side.
+bool Bxdf::samplePassing(Float2 xi, Float3& in, BxdfValue& value) const {
+    const Float3 half = squareToGgxVisibleNormal(xi, view_, alpha_, alpha_);
+    const float cosine = Dot(view_, half);
+    if (isSolid_) {
+        const float behindSquared = 1.0f - eta_ * eta_ * (1.0f - cosine) * (1.0f + cosine);
+        if (!(behindSquared > 0.0f)) return false;
+        in = half * (eta_ * cosine - std::sqrt(behindSquared)) - view_ * eta_;
+    } else {
+        in = mirrored(RixReflect(view_, half));
+    }
+    if (!(in.z < 0.0f)) return false;
+    value = passingBy(half, in);
+    return true;
+}
+
 BxdfValue Bxdf::evaluate(Float3 direction) const {
-    BxdfValue result = evaluateLocal(toLocal(direction));
-    if (!(Dot(direction, geometricNormal_) > 0.0f)) result.value = Float3(0.0f);
+    const Float3 in = toLocal(direction);
+    BxdfValue result = evaluateLocal(in);
+    if (isBehind(direction) == (in.z > 0.0f)) result.value = Float3(0.0f);
     return result;
 }
 
 bool Bxdf::sample(Float2 xi, BxdfSample& sample) const {
     Float3 in;
+    BxdfValue value{Float3(0.0f), 0.0f};
     if (RixChooseAndRemap(xi.x, specularProbability_) == 0) {
         const Float3 half = squareToGgxVisibleNormal(xi, view_, alpha_, alpha_);
         in = RixReflect(view_, half);
+    } else if (letsPass() &&
+               RixChooseAndRemap(xi.x, passingProbability_ / (1.0f - specularProbability_)) == 0) {
+        if (!samplePassing(xi, in, value)) return false;
     } else {
         in = squareToHemisphereCosine(xi);
     }
     sample.direction = toWorld(in);
     sample.direction.Normalize();
-    if (!(Dot(sample.direction, geometricNormal_) > 0.0f)) return false;
-    const BxdfValue value = evaluateLocal(in);
+    if (isBehind(sample.direction) == (in.z > 0.0f)) return false;
+    if (in.z > 0.0f) value = evaluateLocal(in);
     if (!(value.pdf > 0.0f) || isBlack(value.value)) return false;
     sample.weight = value.value / value.pdf;
     sample.pdf = value.pdf;

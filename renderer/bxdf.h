@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How surfaces scatter light: the metallic-roughness material of glTF 2.0 as the sum of a diffuse
-// and a specular lobe. The specular lobe is GGX with the height-correlated shadowing of Smith
-// (Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces"; Heitz 2014,
-// "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs", JCGT 3(2)) and the
-// Fresnel factor F of Schlick. The diffuse lobe gets what F leaves on the way in and on the way
-// out:
+// and a specular lobe, and one of light that passes through. The specular lobe is GGX with the
+// height-correlated shadowing of Smith (Walter et al. 2007, "Microfacet Models for Refraction
+// through Rough Surfaces"; Heitz 2014, "Understanding the Masking-Shadowing Function in
+// Microfacet-Based BRDFs", JCGT 3(2)) and the Fresnel factor F of Schlick. The diffuse lobe gets
+// what F leaves on the way in and on the way out:
 //
 //     baseColor / pi (1 - F(in)) (1 - F(out)) / (1 - mean of F over the hemisphere by the cosine)
 //
 // which is reciprocal, and makes the two lobes together reflect all light off a smooth white
 // surface (Shirley et al. 1997, "A Practitioners' Assessment of Light Reflection Models", Pacific
 // Graphics). GGX scatters light once, so rough metals are too dark by what would scatter again.
+//
+// Where light passes, F is that of Fresnel's equations, and what it leaves passes the microfacets
+// of the same GGX: refracted into and out of solid bodies, straight on through thin sheets, as the
+// mirror image of what is reflected (glTF's KHR_materials_transmission and _volume). Radiance
+// stands for radiance over the squared index of refraction where the light is (basic radiance),
+// which refraction does not change: nothing is lost or won on the way through a body.
 
 #pragma once
 
-#include "ray.h"
-#include "scene.h"
+#include "bxdf_parameters.h"
 
 #include "wellstrat/vector.h"
 
@@ -41,18 +46,22 @@ class Bxdf {
 public:
     Bxdf() = default;
 
-    /// `material` with its textures looked up by `attributes`, at a point with this geometric and
-    /// shading normal; `view` has unit length and points away from the surface, to either side.
-    Bxdf(const Material& material, const SurfaceAttributes& attributes, Float3 geometricNormal,
-         Float3 shadingNormal, Float3 view);
+    /// At a point with this geometric and shading normal; `view` has unit length and points away
+    /// from the surface, to either side.
+    Bxdf(const BxdfParameters& parameters, Float3 geometricNormal, Float3 shadingNormal,
+         Float3 view);
 
-    /// For a unit vector that points to where light comes from. Directions below the shading
-    /// normal have value and pdf 0; those below the geometric normal only the value.
+    /// For a unit vector that points to where light comes from. Where no light passes, directions
+    /// below the shading normal have value and pdf 0. Those that are on different sides of the two
+    /// normals have value 0.
     BxdfValue evaluate(Float3 direction) const;
 
-    /// Chooses a lobe with xi.x, by its share of the reflected light, and with all of xi a
+    /// Chooses a lobe with xi.x, by its share of the scattered light, and with all of xi a
     /// direction of the lobe. Returns false if no light can come that way.
     bool sample(Float2 xi, BxdfSample& sample) const;
+
+    /// Is light from there light that passes through the surface?
+    bool passes(Float3 direction) const { return letsPass() && isBehind(direction); }
 
 private:
     Float3 toLocal(Float3 v) const {
@@ -60,6 +69,16 @@ private:
     }
     Float3 toWorld(Float3 v) const { return tangent_ * v.x + bitangent_ * v.y + normal_ * v.z; }
     BxdfValue evaluateLocal(Float3 in) const;
+    BxdfValue evaluatePassing(Float3 in) const;
+    BxdfValue passingBy(Float3 half, Float3 in) const;
+    bool samplePassing(Float2 xi, Float3& in, BxdfValue& value) const;
+    bool letsPass() const { return eta_ > 0.0f; }
+    bool isBehind(Float3 direction) const { return !(Dot(direction, geometricNormal_) > 0.0f); }
+    float dielectricReflection(float cosine) const;
+    Float3 reflection(float cosine) const;
+    float passingDielectric(float cosine) const;
+    Float3 passingReflection(float cosine) const;
+    float shadowing(float inCosine, Float3 in) const;
 
     Float3 tangent_, bitangent_, normal_; ///< the shading frame, on the side of the view
     Float3 geometricNormal_;              ///< on the side of the view
@@ -69,6 +88,13 @@ private:
     Float3 f0_;
     float alpha_;
     float specularProbability_;
+
+    // Of what lets light pass:
+    float eta_ = 0; ///< the index of refraction on the side of the view over the other; 0: none is
+    float passingProbability_ = 0;
+    float metallic_;
+    bool isSolid_;
+    Float3 passingColor_;
 };
 
 } // namespace wellstrat::render

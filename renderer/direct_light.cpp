@@ -106,6 +106,9 @@ Float3 DirectLight::lightSample(const Path& path, const Vertex& vertex, Float2 x
     const float weight =
         light.punctual ? 1.0f / (static_cast<float>(path.lightSamples) * light.pdf)
                        : sampleWeight(options_.strategy, path.lightSamples, light.pdf, bxdf.pdf);
+    if (const MediumPtr medium = mediumTowards(light.direction, path, vertex))
+        light.radiance =
+            multiply(light.radiance, transmittance(*medium, light.shadowRay.maxDistance));
     return multiply(multiply(path.throughput, bxdf.value), light.radiance) * (weight * passing);
 }
 

@@ -28,13 +28,6 @@ double brightness(const Texture& map, unsigned x, unsigned y) {
     return sum;
 }
 
-/// Where a direction is in the map, (0, 0) being the upper left corner and (1, 1) the lower right.
-Float2 mapPosition(Float3 direction) {
-    const float radius = std::sqrt(direction.x * direction.x + direction.z * direction.z);
-    return {0.5f + std::atan2(direction.x, -direction.z) * F_INVTWOPI,
-            std::atan2(radius, direction.y) * F_INVPI};
-}
-
 /// The number of the pixel at `position`, in [0, 1], of a row or column of `count`.
 unsigned pixelAt(float position, unsigned count) {
     return std::min(static_cast<unsigned>(clamp01(position) * static_cast<float>(count)),
@@ -43,7 +36,9 @@ unsigned pixelAt(float position, unsigned count) {
 
 } // namespace
 
-EnvironmentLight::EnvironmentLight(const Environment& environment) : environment_(environment) {
+EnvironmentLight::EnvironmentLight(const Environment& environment)
+    : environment_(environment), turn_(environment.rotation * F_INVTWOPI) {
+    turn_ -= std::floor(turn_);
     if (!environment.map || isBlack(environment.radiance)) return;
     for (unsigned y = 0; y <= height(); ++y) edges_.push_back(std::cos(kPi * y / height()));
     std::vector<double> weights;
@@ -54,6 +49,14 @@ EnvironmentLight::EnvironmentLight(const Environment& environment) : environment
         weights.push_back(columns_.back().total() * (edges_[y] - edges_[y + 1]));
     }
     rows_ = DiscreteDistribution(weights);
+}
+
+/// Where a direction is in the map, (0, 0) being the upper left corner and (1, 1) the lower right.
+Float2 EnvironmentLight::mapPosition(Float3 direction) const {
+    const float radius = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+    float x = 0.5f + std::atan2(direction.x, -direction.z) * F_INVTWOPI + turn_;
+    if (x > 1.0f) x -= 1.0f;
+    return {x, std::atan2(radius, direction.y) * F_INVPI};
 }
 
 Float3 EnvironmentLight::radiance(Float3 direction) const {
@@ -71,7 +74,7 @@ Float3 EnvironmentLight::sample(Float2 xi, float& pdf) const {
     const double y = edges_[row] + (edges_[row + 1] - edges_[row]) * xi.y;
     const auto radius = static_cast<float>(std::sqrt((1.0 - y) * (1.0 + y)));
     const float turn = (static_cast<float>(column) + xi.x) / static_cast<float>(width());
-    const float angle = F_TWOPI * (turn - 0.5f);
+    const float angle = F_TWOPI * (turn - 0.5f - turn_);
     return {radius * std::sin(angle), static_cast<float>(y), -radius * std::cos(angle)};
 }
 

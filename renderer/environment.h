@@ -38,7 +38,10 @@ private:
     unsigned height() const { return environment_.map->height(); }
     float pixelPdf(std::size_t row, std::size_t column) const;
 
+    Float2 mapPosition(Float3 direction) const;
+
     const Environment& environment_;
+    float turn_;                ///< the part of a whole turn by which the map is turned, in [0, 1)
     std::vector<double> edges_; ///< the heights y of the upper edges of the rows, and of the lowest
     DiscreteDistribution rows_;
     std::vector<DiscreteDistribution> columns_; ///< of each row

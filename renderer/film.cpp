@@ -37,9 +37,10 @@ Film::Film(unsigned width, unsigned height)
     : width_(checkedSize(width)), height_(checkedSize(height)),
       pixels_(std::size_t{width} * height) {}
 
-void Film::add(unsigned x, unsigned y, Float3 sample) {
+void Film::add(unsigned x, unsigned y, Float3 sample, bool isOpen) {
     PixelSums& sums = pixel(x, y);
     ++sums.count;
+    sums.open += isOpen ? 1 : 0;
     if (!isFinite(sample)) {
         ++sums.invalid;
         return;
@@ -67,6 +68,7 @@ void Film::add(const Film& other) {
         sums.square += more.square;
         sums.count += more.count;
         sums.invalid += more.invalid;
+        sums.open += more.open;
     }
 }
 
@@ -76,12 +78,23 @@ Float3 Film::mean(unsigned x, unsigned y) const {
             static_cast<float>(meanOf(sums, 2))};
 }
 
+float Film::alpha(unsigned x, unsigned y) const {
+    const PixelSums& sums = pixel(x, y);
+    if (sums.count == 0) return 1;
+    return static_cast<float>(1 - static_cast<double>(sums.open) / sums.count);
+}
+
 float Film::standardError(unsigned x, unsigned y) const {
     const PixelSums& sums = pixel(x, y);
     if (sums.count < 2) return std::numeric_limits<float>::infinity();
     const double mean = luminance(meanOf(sums, 0), meanOf(sums, 1), meanOf(sums, 2));
     const double variance = toDouble(sums.square, kSquareUnits) / sums.count - mean * mean;
     return static_cast<float>(std::sqrt(std::max(variance, 0.0) / (sums.count - 1)));
+}
+
+bool isTransparent(const Film& film) {
+    return std::any_of(film.pixels().begin(), film.pixels().end(),
+                       [](const PixelSums& sums) { return sums.open > 0; });
 }
 
 std::vector<double> meansOf(const Film& film, int color) {
@@ -95,7 +108,7 @@ std::vector<double> meansOf(const Film& film, int color) {
 
 bool operator==(const PixelSums& a, const PixelSums& b) {
     return std::equal(a.color, a.color + 3, b.color) && a.square == b.square &&
-           a.count == b.count && a.invalid == b.invalid;
+           a.count == b.count && a.invalid == b.invalid && a.open == b.open;
 }
 
 } // namespace wellstrat::render

@@ -26,6 +26,7 @@ struct PixelSums {
     FixedSum square = 0;  ///< of the luminance of samples in units of 2^-48, for error estimates
     uint32_t count = 0;   ///< samples so far
     uint32_t invalid = 0; ///< of them, samples that were NaN or infinite, counted as black
+    uint32_t open = 0; ///< of them, samples that met nothing, where the background is transparent
 };
 
 /// The largest width and height of a film.
@@ -47,10 +48,10 @@ public:
     unsigned width() const { return width_; }
     unsigned height() const { return height_; }
 
-    /// Adds one sample. Negative colors count as 0, those above kMaxColor as that, a sample with a
-    /// NaN or an infinity as black; what is below the unit of the sums is dropped. Different pixels
-    /// may be written by different threads at once.
-    void add(unsigned x, unsigned y, Float3 sample);
+    /// Adds one sample; one that is open counts as transparent. Negative colors count as 0, those
+    /// above kMaxColor as that, a sample with a NaN or an infinity as black; what is below the unit
+    /// of the sums is dropped. Different pixels may be written by different threads at once.
+    void add(unsigned x, unsigned y, Float3 sample, bool isOpen = false);
 
     /// Adds all of a film of the same size; std::invalid_argument otherwise. A pixel has at most
     /// 2^32 - 1 samples: more throw std::overflow_error.
@@ -66,6 +67,9 @@ public:
     /// The mean of the samples of a pixel; black without samples.
     Float3 mean(unsigned x, unsigned y) const;
 
+    /// The part of the samples that are not open; 1 without samples.
+    float alpha(unsigned x, unsigned y) const;
+
     /// The estimated standard error of the mean luminance, as if samples were independent: for
     /// stratified samples it is an upper bound in most cases. Infinity below two samples.
     float standardError(unsigned x, unsigned y) const;
@@ -76,6 +80,9 @@ private:
     unsigned width_, height_;
     std::vector<PixelSums> pixels_;
 };
+
+/// Is any sample open?
+bool isTransparent(const Film& film);
 
 /// The means of one of the three colors, row by row.
 std::vector<double> meansOf(const Film& film, int color);

@@ -2,9 +2,9 @@
 
 #include "film_file.h"
 
+#include "image_encoder.h"
 #include "memory.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -25,7 +25,8 @@ const std::string kPrefix = "wellstrat:";
 const std::string kSamples = "samples", kFirst = "first"; ///< no settings are called so
 
 /// The channels of an exact film: first those for the eye, then the words that are read back.
-constexpr int kColors = 3;
+const std::vector<std::string> kColorNames{"R", "G", "B"}, kColorAndAlphaNames{"R", "G", "B", "A"};
+const std::string kOpen = "open";
 constexpr int kWordsOfSum = 4;
 
 std::vector<std::string> fixedWordNames() {
@@ -40,8 +41,10 @@ std::vector<std::string> fixedWordNames() {
 
 std::string countName(const SampleRange& range) { return fmt::format("count.{}", range.begin); }
 
-std::vector<std::string> wordNames(const std::vector<SampleRange>& ranges) {
+/// `hasOpen`: some of the samples are transparent.
+std::vector<std::string> wordNames(const std::vector<SampleRange>& ranges, bool hasOpen) {
     std::vector<std::string> names = fixedWordNames();
+    if (hasOpen) names.push_back(kOpen);
     for (const SampleRange& range : ranges) {
         if (!range.counts.empty()) names.push_back(countName(range));
     }
@@ -72,62 +75,8 @@ std::string rangesText(const std::vector<SampleRange>& ranges) {
     return text;
 }
 
-/// A picture being written to memory.
-class Encoder {
-public:
-    Encoder(const std::string& suffix, OIIO::ImageSpec spec)
-        : output_(OIIO::ImageOutput::create("film" + suffix)) {
-        if (!output_) throw std::runtime_error(OIIO::geterror());
-        void* proxy = &memory_;
-        spec.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-        spec.attribute("DateTime", "");
-        check(output_->open("film" + suffix, spec));
-    }
-    /// Rows from `begin` to `end` (exclusive), in the channels' own types.
-    void write(unsigned begin, unsigned end, const void* rows) {
-        check(output_->write_scanlines(static_cast<int>(begin), static_cast<int>(end), 0,
-                                       OIIO::TypeDesc::UNKNOWN, rows));
-    }
-    std::string finish() {
-        check(output_->close());
-        return {bytes_.begin(), bytes_.end()};
-    }
-
-private:
-    void check(bool success) const {
-        if (!success) throw std::runtime_error(output_->geterror());
-    }
-
-    std::vector<unsigned char> bytes_;
-    OIIO::Filesystem::IOVecOutput memory_{bytes_};
-    std::unique_ptr<OIIO::ImageOutput> output_;
-};
-
 OIIO::ImageSpec specOf(const Film& film, int channels, const OIIO::TypeDesc& type) {
     return {static_cast<int>(film.width()), static_cast<int>(film.height()), channels, type};
-}
-
-/// 8 bits of sRGB, IEC 61966-2-1.
-unsigned char encodeSrgb(float linear) {
-    const float x = std::clamp(linear, 0.0f, 1.0f);
-    const float encoded = x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f;
-    return static_cast<unsigned char>(std::lround(255.0f * encoded));
-}
-
-template <typename T, typename Encode>
-std::string encodeColors(const Film& film, const std::string& suffix, const OIIO::TypeDesc& type,
-                         Encode encode) {
-    Encoder encoder(suffix, specOf(film, kColors, type));
-    std::vector<T> row(std::size_t{film.width()} * kColors);
-    for (unsigned y = 0; y < film.height(); ++y) {
-        auto to = row.begin();
-        for (unsigned x = 0; x < film.width(); ++x) {
-            const Float3 mean = film.mean(x, y);
-            for (int c = 0; c < kColors; ++c) *to++ = encode(mean[c]);
-        }
-        encoder.write(y, y + 1, row.data());
-    }
-    return encoder.finish();
 }
 
 /// A file being read.
@@ -247,7 +196,8 @@ void checkCounts(const FilmPart& part) {
             }
         }
         const PixelSums& sums = part.film.pixels()[i];
-        if (sums.count != samplesOf(part.ranges, i) || sums.invalid > sums.count) {
+        if (sums.count != samplesOf(part.ranges, i) || sums.invalid > sums.count ||
+            sums.open > sums.count) {
             throw damaged("its numbers of samples contradict each other");
         }
     }
@@ -268,13 +218,16 @@ std::vector<SampleRange*> unfinishedRanges(const OIIO::ImageSpec& spec, FilmPart
 
 std::string encodePart(const FilmPart& part) {
     const Film& film = part.film;
-    const std::vector<std::string> names = wordNames(part.ranges);
-    const std::size_t channels = kColors + names.size();
+    const bool hasOpen = isTransparent(film);
+    const auto& colors = hasOpen ? kColorAndAlphaNames : kColorNames;
+    const std::vector<std::string> names = wordNames(part.ranges, hasOpen);
+    const std::size_t channels = colors.size() + names.size();
     OIIO::ImageSpec spec = specOf(film, static_cast<int>(channels), OIIO::TypeDesc::FLOAT);
-    spec.channelnames = {"R", "G", "B"};
+    spec.channelnames = colors;
     spec.channelnames.insert(spec.channelnames.end(), names.begin(), names.end());
+    if (hasOpen) spec.alpha_channel = 3;
     spec.channelformats.assign(channels, OIIO::TypeDesc::UINT);
-    std::fill_n(spec.channelformats.begin(), kColors, OIIO::TypeDesc::FLOAT);
+    std::fill_n(spec.channelformats.begin(), colors.size(), OIIO::TypeDesc::FLOAT);
     spec.attribute(kPrefix + kSamples, rangesText(part.ranges));
     if (part.firstSample > 0) {
         spec.attribute(kPrefix + kFirst, fmt::format("{}", part.firstSample));
@@ -282,7 +235,7 @@ std::string encodePart(const FilmPart& part) {
     for (const auto& [name, value] : part.settings) spec.attribute(kPrefix + name, value);
 
     constexpr unsigned kBand = 16; // as many rows as ZIP compresses together
-    Encoder encoder(".exr", spec);
+    ImageEncoder encoder(".exr", spec);
     std::vector<uint32_t> band;
     for (unsigned begin = 0; begin < film.height(); begin += kBand) {
         const unsigned end = std::min(begin + kBand, film.height());
@@ -290,10 +243,12 @@ std::string encodePart(const FilmPart& part) {
         for (unsigned y = begin; y < end; ++y) {
             for (unsigned x = 0; x < film.width(); ++x) {
                 const Float3 mean = film.mean(x, y);
-                for (int c = 0; c < kColors; ++c) band.push_back(bitsOf(mean[c]));
+                for (int c = 0; c < 3; ++c) band.push_back(bitsOf(mean[c]));
+                if (hasOpen) band.push_back(bitsOf(film.alpha(x, y)));
                 visitWords(film.pixel(x, y), [&band](auto value, int shift) {
                     band.push_back(static_cast<uint32_t>(value >> shift));
                 });
+                if (hasOpen) band.push_back(film.pixel(x, y).open);
                 for (const SampleRange& range : part.ranges) {
                     if (range.counts.empty()) continue;
                     band.push_back(range.counts[std::size_t{y} * film.width() + x]);
@@ -303,16 +258,6 @@ std::string encodePart(const FilmPart& part) {
         encoder.write(begin, end, band.data());
     }
     return encoder.finish();
-}
-
-std::string encodePicture(const Film& film, const std::string& suffix) {
-    if (suffix == ".png") {
-        return encodeColors<unsigned char>(film, suffix, OIIO::TypeDesc::UINT8, encodeSrgb);
-    }
-    if (suffix != ".hdr" && suffix != ".exr") {
-        throw std::runtime_error(fmt::format("no picture format has the suffix '{}'", suffix));
-    }
-    return encodeColors<float>(film, suffix, OIIO::TypeDesc::FLOAT, [](float c) { return c; });
 }
 
 FilmPart readPart(const std::string& path) {
@@ -332,7 +277,8 @@ FilmPart readPart(const std::string& path) {
     FilmPart part{Film(width, height), parseRanges(samples.mapped()), std::move(settings)};
     if (!first.empty()) part.firstSample = parseFirst(first.mapped(), part.ranges);
     const std::vector<SampleRange*> unfinished = unfinishedRanges(spec, part);
-    const std::vector<std::size_t> channels = channelsOf(spec, wordNames(part.ranges));
+    const bool hasOpen = spec.channelindex(kOpen) >= 0;
+    const std::vector<std::size_t> channels = channelsOf(spec, wordNames(part.ranges, hasOpen));
     const auto stride = static_cast<std::size_t>(spec.nchannels);
     std::vector<uint32_t> row(width * stride);
     for (unsigned y = 0; y < height; ++y) {
@@ -343,6 +289,7 @@ FilmPart readPart(const std::string& path) {
             visitWords(part.film.pixel(x, y), [&](auto& value, int shift) {
                 value |= static_cast<std::decay_t<decltype(value)>>(words[*channel++]) << shift;
             });
+            if (hasOpen) part.film.pixel(x, y).open = words[*channel++];
             for (SampleRange* range : unfinished) {
                 range->counts[std::size_t{y} * width + x] = words[*channel++];
             }

@@ -7,6 +7,8 @@
 //     count, invalid     uint    samples of the pixel; of them, those that were NaN or infinite
 //     sum.red.0 ... 3    uint    the words of PixelSums::color[0], the lowest first
 //     sum.green, sum.blue, sum.square   likewise
+//     A, open            float, uint   where a background is transparent: what of the samples met
+//                                surfaces, and how many did not
 //     count.BEGIN        uint    where a range of samples is unfinished: SampleRange::counts
 // and the attributes `wellstrat:samples`, such as "0:64 128:192", `wellstrat:first` where
 // FilmPart::firstSample is not 0, and `wellstrat:NAME` for each setting. The same film gives the
@@ -22,10 +24,6 @@ namespace wellstrat::render {
 
 /// The bytes of an EXR file that keeps all of `part`. Throws std::runtime_error.
 std::string encodePart(const FilmPart& part);
-
-/// The bytes of a file that shows the means: ".png" in sRGB with 8 bits, ".hdr" in Radiance's RGBE,
-/// ".exr" in float. Throws std::runtime_error, also for other suffixes.
-std::string encodePicture(const Film& film, const std::string& suffix);
 
 /// Reads what encodePart wrote. Throws std::runtime_error, in one line without the file's name, if
 /// it cannot be read, has no sums, or contradicts itself.

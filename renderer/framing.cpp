@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cameras and light for scenes that come without.
+// Cameras for scenes that come without.
 
 #include "framing.h"
-#include "color.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +13,9 @@ namespace wellstrat::render {
 namespace {
 
 constexpr float kFramingFov = 0.6f; ///< radians, 34 degrees: a lens a little longer than normal
+constexpr float kMargin = 1.04f;    ///< of the picture around the scene
 
-void include(Bounds& bounds, Float3 point, float radius = 0) {
+void include(Bounds& bounds, Float3 point, float radius) {
     for (int c = 0; c < 3; ++c) {
         bounds.low[c] = std::min(bounds.low[c], point[c] - radius);
         bounds.high[c] = std::max(bounds.high[c], point[c] + radius);
@@ -33,12 +33,39 @@ bool toUnitLength(Float3& v) {
     return true;
 }
 
-bool hasLight(const Scene& scene) {
-    return !scene.lights.empty() ||
-           std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const Mesh& mesh) {
-               return !isBlack(scene.materials[mesh.material].emission);
-           });
+/// Calls include(point) and include(center, radius) for all geometry, at all times of the shutter.
+template <class Include>
+void forEachPoint(const Scene& scene, const Include& include) {
+    for (const Mesh& mesh : scene.meshes) {
+        for (const Float3 p : mesh.positions) include(p);
+        for (const Float3 p : mesh.positionsAtEnd) include(p);
+    }
+    for (const Sphere& sphere : scene.spheres) {
+        include(sphere.center, sphere.radius);
+        include(sphere.centerAtEnd.value_or(sphere.center), sphere.radius);
+    }
 }
+
+/// What is to be seen along one axis of a picture whose half angle has this tangent. Points have a
+/// place along the axis and a depth, both as seen from anywhere.
+class Span {
+public:
+    explicit Span(float tangent) : tangent_(tangent) {}
+
+    void include(float place, float depth, float radius) {
+        // So far out is a tangent of the sphere that goes along the edge of the picture.
+        const float reach = radius * std::sqrt(1 + tangent_ * tangent_);
+        high_ = std::max(high_, place - depth * tangent_ + reach);
+        low_ = std::max(low_, -place - depth * tangent_ + reach);
+    }
+    /// Where the camera sees all from the closest, and how far behind that is.
+    float middle() const { return 0.5f * (high_ - low_); }
+    float distance() const { return 0.5f * (high_ + low_) / tangent_; }
+
+private:
+    float tangent_;
+    float high_ = -std::numeric_limits<float>::infinity(), low_ = high_;
+};
 
 } // namespace
 
@@ -50,14 +77,7 @@ float Bounds::radius() const {
 Bounds sceneBounds(const Scene& scene) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     Bounds bounds{Float3(kInfinity), Float3(-kInfinity)};
-    for (const Mesh& mesh : scene.meshes) {
-        for (const Float3 p : mesh.positions) include(bounds, p);
-        for (const Float3 p : mesh.positionsAtEnd) include(bounds, p);
-    }
-    for (const Sphere& sphere : scene.spheres) {
-        include(bounds, sphere.center, sphere.radius);
-        include(bounds, sphere.centerAtEnd.value_or(sphere.center), sphere.radius);
-    }
+    forEachPoint(scene, [&](Float3 point, float radius = 0) { include(bounds, point, radius); });
     return bounds;
 }
 
@@ -101,30 +121,32 @@ Camera turned(const Camera& camera, Float3 center, Float3 axis, double degrees) 
     return result;
 }
 
-Camera framingCamera(const Bounds& bounds, float aspect) {
-    const Float3 center = bounds.center();
-    const float halfAngle =
-        std::min(kFramingFov / 2, std::atan(std::tan(kFramingFov / 2) * aspect));
+Camera framingCamera(const Scene& scene, float aspect) {
+    const Float3 center = sceneBounds(scene).center();
+    Camera camera = lookAlong(center, {-0.5f, -0.4f, -1.0f}, {0, 1, 0}, kFramingFov);
+    const float tangent = std::tan(kFramingFov / 2) / kMargin;
+    Span across(tangent * aspect), upward(tangent);
+    const Float3 right = Cross(camera.forward, camera.up);
+    const auto include = [&](Float3 point, float radius = 0) {
+        const Float3 to = point - center;
+        const float depth = Dot(to, camera.forward);
+        across.include(Dot(to, right), depth, radius);
+        upward.include(Dot(to, camera.up), depth, radius);
+    };
+    forEachPoint(scene, include);
     // A scene that is tiny for its place must not end up where the camera is.
-    const float radius = std::max(bounds.radius(), 1e-6f * center.Length());
-    const float distance = 1.05f * radius / std::sin(halfAngle);
-    Float3 towardCamera(0.5f, 0.4f, 1.0f);
-    towardCamera.Normalize();
-    return lookAt(center + towardCamera * distance, center, {0, 1, 0}, kFramingFov);
+    const float least = 4e-6f * center.Length() + std::numeric_limits<float>::min();
+    camera.focusDistance = std::max({across.distance(), upward.distance(), least});
+    camera.position += right * across.middle() + camera.up * upward.middle() -
+                       camera.forward * camera.focusDistance;
+    return camera;
 }
 
-Environment framingLight() { return {}; }
-
-void addWhatIsMissing(Scene& scene) {
-    if (!hasLight(scene)) {
-        scene.environment = framingLight();
-        scene.notes.emplace_back(kNoLightNote);
-    }
-    if (!scene.camera) {
-        scene.camera = framingCamera(sceneBounds(scene), scene.aspect);
-        scene.cameraIsAutomatic = true;
-        scene.notes.emplace_back(kNoCameraNote);
-    }
+void addMissingCamera(Scene& scene) {
+    if (scene.camera) return;
+    scene.camera = framingCamera(scene, scene.aspect);
+    scene.cameraIsAutomatic = true;
+    scene.notes.emplace_back(kNoCameraNote);
 }
 
 } // namespace wellstrat::render

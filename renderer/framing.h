@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cameras and light for scenes that come without.
+// Cameras for scenes that come without.
 
 #pragma once
 
@@ -33,18 +33,15 @@ Camera lookAlong(Float3 position, Float3 direction, Float3 up, float verticalFov
 /// or not finite.
 Camera turned(const Camera& camera, Float3 center, Float3 axis, double degrees);
 
-/// A camera that sees all of `bounds` in a picture of this width / height, from the front (+z), a
-/// little from the right and above, as product pictures do. Focused on the middle.
-Camera framingCamera(const Bounds& bounds, float aspect);
+/// A camera that sees all of the scene, as close as that goes in a picture of this width / height,
+/// from the front (+z), a little from the right and above, as product pictures do. Focused on the
+/// middle. The scene must have geometry.
+Camera framingCamera(const Scene& scene, float aspect);
 
-/// A soft constant light that a surface of `baseColor` 0.8 returns as middle gray to white.
-Environment framingLight();
-
-constexpr auto kNoLightNote = "There is no light: a soft constant one is added.";
 constexpr auto kNoCameraNote = "There is no camera: the picture shows the whole scene.";
 
-/// Gives a scene without light `framingLight` and `kNoLightNote`, and one without camera a
-/// `framingCamera` and `kNoCameraNote`. The scene must have geometry.
-void addWhatIsMissing(Scene& scene);
+/// Gives a scene without camera a `framingCamera` and `kNoCameraNote`. The scene must have
+/// geometry.
+void addMissingCamera(Scene& scene);
 
 } // namespace wellstrat::render

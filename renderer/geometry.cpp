@@ -69,8 +69,8 @@ float opacityOf(const Scene& scene, const RTCHit& hit) {
 
 /// A search for the closest hit, for callbacks that have a ClosestHit.
 struct Search : ClosestHit {
-    const Scene* scene = nullptr; ///< null: there are no holes in it
-    uint32_t chance = 0;
+    const Scene* scene;
+    uint32_t chance;
 
     /// Independent for each surface, and the same in whichever order Embree visits them.
     bool passes(const RTCHit& hit) const {
@@ -81,11 +81,12 @@ struct Search : ClosestHit {
 };
 
 /// Embree calls this for each hit that is no farther than the closest so far.
+template <bool kHasHoles>
 void keepFirst(const RTCFilterFunctionNArguments* arguments) {
     auto& search = static_cast<Search&>(*reinterpret_cast<ClosestHit*>(arguments->context));
     const auto& ray = *reinterpret_cast<const RTCRay*>(arguments->ray);
     const auto& hit = *reinterpret_cast<const RTCHit*>(arguments->hit);
-    if ((search.scene && search.passes(hit)) || !search.offer(ray.tfar, hit.geomID, hit.primID))
+    if ((kHasHoles && search.passes(hit)) || !search.offer(ray.tfar, hit.geomID, hit.primID))
         arguments->valid[0] = 0;
 }
 
@@ -127,8 +128,8 @@ Geometry::Geometry(const Scene& scene) : scene_(scene) {
         const Material::Alpha alpha = scene.materials[mesh.material].alpha;
         hasHoles_ = hasHoles_ || alpha != Material::Alpha::opaque;
         isBlended_ = isBlended_ || alpha == Material::Alpha::blend;
-        const bool needs = !mesh.colors.empty() || isTextured(scene.materials[mesh.material]);
-        needsAttributes_.push_back(needs ? 1 : 0);
+        const bool isUniform = mesh.colors.empty() && !isTextured(scene.materials[mesh.material]);
+        isUniform_.push_back(isUniform ? 1 : 0);
     }
     auto embree = std::make_unique<Embree>();
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
@@ -153,8 +154,8 @@ Geometry::~Geometry() = default;
 bool Geometry::closestHit(const Ray& ray, Hit& hit) const {
     Search closest;
     rtcInitIntersectContext(&closest.context);
-    closest.context.filter = keepFirst;
-    if (hasHoles_) closest.scene = &scene_;
+    closest.context.filter = hasHoles_ ? keepFirst<true> : keepFirst<false>;
+    closest.scene = &scene_;
     closest.chance = ray.chance;
     RTCRayHit result;
     result.ray = embreeRay(ray);
@@ -176,20 +177,22 @@ float Geometry::transmittance(const Ray& ray) const {
 }
 
 Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
-    Surface surface{};
+    Surface surface;
     if (hit.shape == scene_.meshes.size()) {
         const Sphere& sphere = scene_.spheres[hit.primitive];
         surface.point = spherePoint(sphere, ray.origin + ray.direction * hit.distance, ray.time);
         surface.shadingNormal = surface.point.normal;
         surface.material = &scene_.materials[sphere.material];
-        surface.attributes.uv = sphereUv(surface.point.normal);
+        surface.isUniform = !isTextured(*surface.material);
+        if (!surface.isUniform) surface.attributes.uv = sphereUv(surface.point.normal);
         return surface;
     }
     const Mesh& mesh = scene_.meshes[hit.shape];
     const Triangle triangle = triangleAt(mesh, hit.primitive, ray.time);
     surface.point = trianglePoint(triangle, hit.u, hit.v, -ray.direction);
     surface.shadingNormal = surface.point.normal;
-    if (needsAttributes_[hit.shape] != 0)
+    surface.isUniform = isUniform_[hit.shape] != 0;
+    if (!surface.isUniform)
         surface.attributes = triangleAttributes(mesh, hit.primitive, hit.u, hit.v);
     surface.material = &scene_.materials[mesh.material];
     if (!mesh.normals.empty()) {
@@ -197,7 +200,7 @@ Surface Geometry::surface(const Ray& ray, const Hit& hit) const {
             normalizedOr(interpolate(mesh.normals, mesh.triangles[hit.primitive], hit.u, hit.v),
                          surface.point.normal);
     }
-    if (surface.material->normalTexture) {
+    if (!surface.isUniform && surface.material->normalTexture) {
         surface.shadingNormal = mappedNormal(mesh, hit.primitive, triangle, *surface.material,
                                              surface.attributes, surface.shadingNormal);
     }

@@ -25,8 +25,9 @@ struct Hit {
 struct Surface {
     SurfacePoint point;
     Float3 shadingNormal; ///< unit length
-    SurfaceAttributes attributes;
     const Material* material;
+    bool isUniform; ///< the material is the same everywhere: it does not depend on the attributes
+    SurfaceAttributes attributes; ///< not looked up if it is
 };
 
 /// The shapes of a scene, which must outlive this. All functions may run in any thread, and what
@@ -60,7 +61,7 @@ private:
     struct Embree;
     const Scene& scene_;
     bool hasHoles_ = false, isBlended_ = false;
-    std::vector<uint8_t> needsAttributes_; ///< by mesh: is 1 where its material looks at them
+    std::vector<uint8_t> isUniform_; ///< by mesh: is 1 where its material needs no attributes
     std::unique_ptr<const Embree> embree_;
 };
 

@@ -44,13 +44,17 @@ uint32_t chanceOf(RixRNG::SampleCtx passage) {
 Integrator::Integrator(const Scene& scene, unsigned width, unsigned height,
                        const SamplingOptions& options)
     : options_(options), camera_(*scene.camera, width, height), geometry_(scene),
-      directLight_(scene, geometry_, options) {}
+      directLight_(scene, geometry_, options), materials_(scene.materials.data()) {
+    for (const Material& material : scene.materials)
+        uniform_.push_back(isTextured(material) ? BxdfParameters{} : bxdfParameters(material, {}));
+}
 
 uint64_t Integrator::radiance(unsigned count, const CameraSample* samples, PathBatch& batch,
                               Float3* results) const {
     std::fill_n(results, count, Float3(0.0f));
     for (unsigned i = 0; i < count; ++i) {
         const CameraSample& s = samples[i];
+        batch.meetsNothing[i] = false;
         const int x = static_cast<int>(s.x), y = static_cast<int>(s.y);
         batch.contexts[i] = options_.generator
                                 ? options_.generator->CameraContext(x, y, options_.seed, s.sampleid)
@@ -94,21 +98,37 @@ void Integrator::startPaths(const RixRNG& camera, const CameraSample* samples,
 unsigned Integrator::findHits(unsigned count, unsigned bounce, PathBatch& batch,
                               Float3* results) const {
     const auto goesOn = [&](unsigned i) {
-        const Path& path = batch.paths[i];
+        Path& path = batch.paths[i];
         Hit hit;
         if (!geometry_.closestHit(path.ray, hit)) {
-            results[path.point] += directLight_.fromEnvironment(path);
+            batch.meetsNothing[path.point] = bounce == 0;
+            if (bounce > 0 || options_.background)
+                results[path.point] += directLight_.fromEnvironment(path);
             return false;
         }
         const Surface surface = geometry_.surface(path.ray, hit);
+        if (path.medium)
+            path.throughput = multiply(path.throughput, transmittance(*path.medium, hit.distance));
         results[path.point] += directLight_.fromSurface(path, hit, surface);
         if (bounce > options_.depth) return false;
-        batch.vertices[i] = {surface.point,
-                             Bxdf(*surface.material, surface.attributes, surface.point.normal,
-                                  surface.shadingNormal, -path.ray.direction)};
+        batch.vertices[i] = vertexAt(path, surface);
         return true;
     };
     return compact(count, goesOn, batch.paths, batch.vertices, batch.contexts);
+}
+
+/// Where the path's ray ends.
+Vertex Integrator::vertexAt(const Path& path, const Surface& surface) const {
+    const Float3 view = -path.ray.direction;
+    const auto vertex = [&](const BxdfParameters& parameters) -> Vertex {
+        MediumPtr behind = path.medium;
+        if (parameters.isSolid)
+            behind = mediumBehind(*surface.material, Dot(view, surface.point.normal) > 0.0f);
+        return {surface.point, Bxdf(parameters, surface.point.normal, surface.shadingNormal, view),
+                behind};
+    };
+    if (!surface.isUniform) return vertex(bxdfParameters(*surface.material, surface.attributes));
+    return vertex(uniform_[static_cast<std::size_t>(surface.material - materials_)]);
 }
 
 /// Sends all paths on in a direction of their bxdf. Returns how many are left.
@@ -124,6 +144,7 @@ unsigned Integrator::scatter(const RixRNG& hits, unsigned bounce, PathBatch& bat
             return false;
         }
         path.bxdfPdf = bxdf.pdf;
+        path.medium = mediumTowards(bxdf.direction, path, batch.vertices[i]);
         path.ray = leave(batch.vertices[i].point, bxdf.direction, path.ray.time);
         if (geometry_.isBlended()) path.ray.chance = chanceOf(hits.NewDomain(i, kPassageScramble));
         return true;

@@ -12,6 +12,7 @@
 #include "sampling_options.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace wellstrat::render {
 
@@ -30,7 +31,8 @@ public:
     void setCamera(const PictureCamera& camera) { camera_ = camera; }
 
     /// Writes the radiance of `count` samples, at most kBatchSize, to `results`. Each depends on
-    /// nothing but the scene, the options and the sample. `batch` is memory to work in. Returns the
+    /// nothing but the scene, the options and the sample. `batch` is memory to work in, and says
+    /// afterwards which camera rays meet nothing. Returns the
     /// number of rays traced, those of camera and bounces, not those to lights.
     uint64_t radiance(unsigned count, const CameraSample* samples, PathBatch& batch,
                       Float3* results) const;
@@ -38,6 +40,7 @@ public:
 private:
     void startPaths(const RixRNG& camera, const CameraSample* samples, PathBatch& batch) const;
     unsigned findHits(unsigned count, unsigned bounce, PathBatch& batch, Float3* results) const;
+    Vertex vertexAt(const Path& path, const Surface& surface) const;
     unsigned scatter(const RixRNG& hits, unsigned bounce, PathBatch& batch) const;
 
     SamplingOptions options_;
@@ -45,6 +48,8 @@ private:
     PixelFilter filter_;
     Geometry geometry_;
     DirectLight directLight_;
+    const Material* materials_;
+    std::vector<BxdfParameters> uniform_; ///< of each material, as if it had no textures
 };
 
 } // namespace wellstrat::render

@@ -6,6 +6,7 @@
 
 #include "bxdf.h"
 #include "geometry.h"
+#include "medium.h"
 
 #include <RixRNG.h>
 
@@ -15,8 +16,9 @@ namespace wellstrat::render {
 constexpr unsigned kBatchSize = 256;
 
 struct Path {
-    unsigned point; ///< which of the batch's results it adds to
-    Ray ray;        ///< the last one
+    unsigned point;             ///< which of the batch's results it adds to
+    Ray ray;                    ///< the last one
+    MediumPtr medium = nullptr; ///< in which it goes
     Float3 throughput = Float3(1.0f);
     /// How else the light that the ray finds might have been found: the pdf of the ray's direction,
     /// and the number of light samples where it began. 0 for camera rays, which have no rival.
@@ -28,7 +30,13 @@ struct Path {
 struct Vertex {
     SurfacePoint point;
     Bxdf bxdf;
+    MediumPtr behind; ///< what light goes through that passes
 };
+
+/// The medium from a vertex of a path into a direction.
+inline MediumPtr mediumTowards(Float3 direction, const Path& path, const Vertex& vertex) {
+    return vertex.bxdf.passes(direction) ? vertex.behind : path.medium;
+}
 
 /// The memory of a batch. Entry i of each array belongs to the same path. Paths that go on move to
 /// the front (compaction.h), so that contexts stay contiguous as the RixRNG wants them.
@@ -36,6 +44,7 @@ struct PathBatch {
     Path paths[kBatchSize];
     Vertex vertices[kBatchSize];
     RixRNG::SampleCtx contexts[kBatchSize]; ///< of the camera, then of the last hit
+    bool meetsNothing[kBatchSize];          ///< of the camera rays, in the order of the results
 
     // For one domain at a time:
     RixRNG::SampleCtx domain[kBatchSize];

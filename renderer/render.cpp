@@ -4,6 +4,7 @@
 #include "integrator.h"
 #include "scene_check.h"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -25,11 +26,13 @@ struct PixelWork {
 
 struct Renderer::State {
     unsigned width, height;
+    bool background;
     Integrator integrator;
     mutable std::atomic<uint64_t> segments{0};
+    mutable tbb::enumerable_thread_specific<PathBatch> batches; ///< memory to work in
 
     State(const Scene& scene, unsigned w, unsigned h, const SamplingOptions& options)
-        : width(w), height(h), integrator(scene, w, h, options) {}
+        : width(w), height(h), background(options.background), integrator(scene, w, h, options) {}
 
     uint64_t renderTile(const Pass& pass, unsigned column, unsigned row, Film& film) const;
 };
@@ -44,7 +47,7 @@ uint64_t Renderer::State::renderTile(const Pass& pass, unsigned column, unsigned
             pixels.push_back({x, y, pass.firstSample + film.pixel(x, y).count});
         }
     }
-    const auto batch = std::make_unique<PathBatch>();
+    PathBatch& batch = batches.local();
     CameraSample samples[kBatchSize];
     Float3 results[kBatchSize];
     uint64_t taken = 0;
@@ -56,8 +59,9 @@ uint64_t Renderer::State::renderTile(const Pass& pass, unsigned column, unsigned
             samples[count++] = {pixel.x, pixel.y, pixel.firstSample + round};
         }
         if (count == 0) return taken;
-        segments += integrator.radiance(count, samples, *batch, results);
-        for (unsigned i = 0; i < count; ++i) film.add(samples[i].x, samples[i].y, results[i]);
+        segments += integrator.radiance(count, samples, batch, results);
+        for (unsigned i = 0; i < count; ++i)
+            film.add(samples[i].x, samples[i].y, results[i], !background && batch.meetsNothing[i]);
         taken += count;
     }
 }

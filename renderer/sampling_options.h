@@ -20,6 +20,8 @@ struct SamplingOptions {
     bool distrib = false; ///< later hits take light samples by distribution: of `split`, the part
                           ///< that their throughput is worth, but at least 1
     Strategy strategy = Strategy::both;
+    bool background = true; ///< camera rays that meet nothing see the environment; else they are
+                            ///< black, and count as transparent
 };
 
 } // namespace wellstrat::render

@@ -21,7 +21,8 @@ namespace wellstrat::render {
 
 /// The metallic-roughness material of glTF 2.0. A texture multiplies the factor beside it.
 /// Surfaces scatter on both sides; they emit on the side of the geometric normal, or on both if
-/// `doubleSided`.
+/// `doubleSided`. Those that light passes are thin sheets, or the boundaries of solid bodies, on
+/// whose outside the geometric normal is.
 struct Material {
     /// What the opacity means: nothing; that there is a surface where it is not below the cutoff;
     /// or which part of the surface there is, the rest of which lets light pass straight on.
@@ -49,11 +50,19 @@ struct Material {
     float opacity = 1, opacityCutoff = 0.5f;
     Alpha alpha = Alpha::opaque;
     bool colorIsEmission = false; ///< the colors of vertices multiply the emission, too
+    /// Which part of the light that a non-metal does not reflect passes through, tinted by the base
+    /// color; the rest is scattered.
+    float transmission = 0;
+    TextureMap transmissionTexture;   ///< x (red) multiplies `transmission`
+    float ior = 1.5f;                 ///< of what light passes: index of refraction, from 1 on
+    bool isSolid = false;             ///< light is refracted; else it goes straight on
+    Float3 absorption = Float3(0.0f); ///< in a solid body, per unit of length
 };
 
 inline bool isTextured(const Material& m) {
     return m.baseColorTexture || m.metallicRoughnessTexture || m.emissionTexture ||
-           m.specularColorTexture || m.specularTexture || m.normalTexture || m.opacityTexture;
+           m.specularColorTexture || m.specularTexture || m.normalTexture || m.opacityTexture ||
+           m.transmissionTexture;
 }
 
 /// Of a vertex: what multiplies the color and the opacity of the material.
@@ -107,6 +116,8 @@ struct Environment {
     Float3 radiance = Float3(1.0f); ///< multiplies the map
     /// Latitude-longitude: the first row is up (+y), the middle column -z, right of it +x.
     TexturePtr map; ///< null: constant
+    /// Turns the map about +y, in radians, counterclockwise as seen from above.
+    float rotation = 0;
 };
 
 /// A thin-lens camera, or one that sees along parallel lines.

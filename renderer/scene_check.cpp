@@ -31,6 +31,8 @@ void checkLight(const Scene& scene) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         require(isLight(scene.materials[i].emission),
                 "the emission of material " + std::to_string(i) + " is not finite or negative");
+        require(isLight(scene.materials[i].absorption),
+                "the absorption of material " + std::to_string(i) + " is not finite or negative");
     }
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const PunctualLight& light = scene.lights[i];
@@ -40,6 +42,8 @@ void checkLight(const Scene& scene) {
     }
     require(!scene.environment || isLight(scene.environment->radiance),
             "the radiance of the environment is not finite or negative");
+    require(!scene.environment || std::isfinite(scene.environment->rotation),
+            "the rotation of the environment is not finite");
 }
 
 template <class T>

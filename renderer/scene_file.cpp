@@ -113,7 +113,7 @@ Scene readScene(const std::string& path, const CameraChoice& camera) {
     return readNamed("scene", path, [&] {
         Scene scene = makeInChild([&] { return importScene(path); }, limits());
         chooseCamera(camera, scene);
-        addWhatIsMissing(scene);
+        addMissingCamera(scene);
         return scene;
     });
 }

@@ -19,10 +19,10 @@ struct CameraChoice {
     std::optional<std::size_t> number; ///< from 1; counts of what the name leaves
 };
 
-/// Reads a scene in glTF 2.0, OBJ with MTL, PLY, or any other format that Assimp knows. The scene
-/// can be rendered as it is: one without light gets a soft constant environment, one without camera
-/// gets one that shows all of it (`cameraIsAutomatic`). What was replaced or left out stands in
-/// `notes`. import/ has the conventions.
+/// Reads a scene in glTF 2.0, OBJ with MTL, PLY, or any other format that Assimp knows. The scene can be
+/// rendered as it is: one without camera gets one that shows all of it (`cameraIsAutomatic`); one
+/// without light is dark (studio.h). What was replaced or left out stands in `notes`.
+/// import/ has the conventions.
 ///
 /// Throws std::runtime_error with one line: the file is missing, cannot be read, has no triangles
 /// to render, or not the camera that was chosen. So are files that the importer does not survive,

@@ -80,6 +80,11 @@ private:
         add(m.opacityCutoff);
         add(m.alpha);
         add(m.colorIsEmission);
+        add(m.transmission);
+        add(m.transmissionTexture);
+        add(m.ior);
+        add(m.isSolid);
+        add(m.absorption);
     }
     void add(const Mesh& mesh) {
         addAll(mesh.positions);
@@ -109,6 +114,7 @@ private:
     void add(const Environment& environment) {
         add(environment.radiance);
         add(environment.map);
+        add(environment.rotation);
     }
     void add(const Camera& camera) {
         add(camera.position);

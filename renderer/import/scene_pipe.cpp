@@ -144,6 +144,11 @@ void transfer(Stream& stream, Of<Stream, Material>& material) {
     transferValue(stream, material.opacityCutoff);
     transferValue(stream, material.alpha);
     transferValue(stream, material.colorIsEmission);
+    transferValue(stream, material.transmission);
+    transfer<Stream>(stream, material.transmissionTexture);
+    transferValue(stream, material.ior);
+    transferValue(stream, material.isSolid);
+    transferValue(stream, material.absorption);
 }
 
 template <typename Stream>

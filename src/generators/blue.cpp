@@ -11,9 +11,9 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace {
 
-constexpr auto kDraw1D = detail::orderedSample<blueSample1D, blueSlotSample1D>;
-constexpr auto kDraw2D = detail::orderedSample<blueSample2D, blueSlotSample2D>;
-constexpr auto kDraw3D = detail::orderedSample<blueSample3D, blueSlotSample3D>;
+constexpr auto kDraw1D = detail::orderedSample<float, blueSample1D, blueSlotSample1D>;
+constexpr auto kDraw2D = detail::orderedSample<Float2, blueSample2D, blueSlotSample2D>;
+constexpr auto kDraw3D = detail::orderedSample<Float3, blueSample3D, blueSlotSample3D>;
 
 } // namespace
 

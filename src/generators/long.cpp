@@ -10,9 +10,9 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace {
 
-constexpr auto kDraw1D = detail::orderedSample<sequenceSample1D, jointSequenceSample1D>;
-constexpr auto kDraw2D = detail::orderedSample<sequenceSample2D, jointSequenceSample2D>;
-constexpr auto kDraw3D = detail::orderedSample<sequenceSample3D, jointSequenceSample3D>;
+constexpr auto kDraw1D = detail::orderedSample<float, sequenceSample1D, jointSequenceSample1D>;
+constexpr auto kDraw2D = detail::orderedSample<Float2, sequenceSample2D, jointSequenceSample2D>;
+constexpr auto kDraw3D = detail::orderedSample<Float3, sequenceSample3D, jointSequenceSample3D>;
 
 } // namespace
 

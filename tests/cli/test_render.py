@@ -115,7 +115,7 @@ class RenderTest(RenderCase):
                 (("cornell",), "-o FILE.exr is required"),
                 (("nothing", "-o", "b.exr"), "built-in scenes are cornell,"),
                 (("text.exr", "-o", "b.exr"), "text.exr"),
-                (("cornell", "-o", "b.jpg"), ".exr, .png, .hdr"),
+                (("cornell", "-o", "b.gif"), ".exr, .png, .jpg, .jpeg, .hdr"),
                 (("cornell", "-o", "none/b.exr"), "none/b.exr"),
                 (("cornell", "-o", "b.exr", "-o", "b.exr"), "two outputs"),
                 ((*image, "--spp", "0"), "--spp"), ((*image, "--spp", "1e3"), "--spp"),
@@ -145,6 +145,13 @@ class RenderTest(RenderCase):
                 ((*image, "--up", "0,0,0"), "wellstrat: --up:"),
                 ((*image, "--environment", "none.hdr"), "none.hdr"),
                 ((*image, "--environment", "text.exr"), "text.exr"),
+                ((*image, "--environment-rotation", "9"), "no light from around"),
+                ((*image, "--environment-strength", "-1"), "--environment-strength"),
+                ((*image, "--environment", "a.exr", "--studio", "on"), "--studio on and"),
+                ((*image, "--studio", "none"), "--studio"),
+                ((*image, "--tonemap", "aces"), "--tonemap"),
+                ((*image, "--exposure", "99"), "--exposure"),
+                ((*image, *SIZE, "--resume", "a.exr", "--transparent"), "differs in: background"),
                 ((*image, "--resume", "none.exr"), "none.exr"),
                 ((*image, "--resume", "text.exr"), "text.exr"),
                 ((*image, "--resume", "a.exr"), "50x35 pixels, not 256x256"),
@@ -173,15 +180,68 @@ class RenderTest(RenderCase):
         self.output_of("render", "cornell", "--size", "8x4", "--spp", "1", "-o", "sky.hdr")
         image = ("render", "a.obj", "--size", "8x8", "--spp", "1", "-o", "a.exr")
         light, camera = "There is no light", "There is no camera"
-        for arguments, notes in (((), (light, f"{camera}: the picture shows the whole scene")),
+        dark = "the picture is almost black"
+        for arguments, notes in (((), (f"{camera}: the picture shows the whole scene", light)),
                                  (("--environment", "sky.hdr"), (camera,)),
-                                 (("--camera", "0,0,5"), (light,)),
-                                 (("--fov", "5"), (light, f"{camera}: it stands in front")),
+                                 (("--camera", "0,0,5", "--look-at", "0,0,0"), (light,)),
+                                 (("--fov", "5"), (f"{camera}: it stands in front", light)),
+                                 (("--camera", "0,0,5", "--studio", "off"), (dark,)),
+                                 (("--camera", "0,0,5", "--studio", "on"), ()),
                                  (("--camera", "0,0,5", "--environment", "sky.hdr"), ())):
             lines = self.run_program(*image, *arguments).stderr.decode().splitlines()
             self.assertEqual(len(lines), len(notes), lines)
             for line, note in zip(lines, notes):
                 self.assertIn(note, line)
+
+    def test_display(self):
+        """Exposure and curve are of .png and .jpg alone, and those who have the .exr can choose
+        them later."""
+        pictures = set()
+        for number, arguments in enumerate(((), ("--exposure", "1"), ("--tonemap", "filmic"),
+                                            ("--exposure", "-1", "--tonemap", "filmic"))):
+            names = [f"{number}{suffix}" for suffix in (".exr", ".hdr", ".png", ".jpg")]
+            outputs = [word for name in names for word in ("-o", name)]
+            self.output_of(*SMALL, *arguments, *outputs)
+            self.output_of("merge", names[0], "-o", "merged.png", *arguments)
+            self.assert_same(names[2], "merged.png")
+            self.assert_same("0.exr", names[0])
+            self.assert_same("0.hdr", names[1])
+            pictures |= {self.read(names[2]), self.read(names[3])}
+        self.assertEqual(len(pictures), 8)
+
+    def test_almost_black_and_white(self):
+        self.write_obj()
+        image = ("render", "a.obj", "--camera", "0,0,5", "--size", "8x8", "--spp", "4", "--studio",
+                 "on", "-o", "a.png")
+        for exposure, text in (("-12", "almost black"), ("12", "almost white"), ("0", "")):
+            process = self.run_program(*image, "--exposure", exposure)
+            self.assertEqual(process.returncode, 0)
+            self.assertIn(text, process.stderr.decode())
+        self.assertEqual(process.stderr, b"")
+
+    def test_transparent(self):
+        """Parts of a transparent image are put together as those of others."""
+        self.write_obj()
+        image = ("render", "a.obj", "--size", "20x10", "--camera", "0,0,5", "--transparent",
+                 "--studio", "on")
+        self.output_of(*image, "--spp", "8", "-o", "all.exr", "-o", "all.png")
+        self.output_of(*image, "--samples", "0:3", "-o", "a.exr")
+        self.output_of(*image, "--samples", "3:8", "-o", "b.exr")
+        self.output_of("merge", "a.exr", "b.exr", "-o", "merged.exr", "-o", "merged.png")
+        self.assert_same("all.exr", "merged.exr")
+        self.assert_same("all.png", "merged.png")
+        self.assertEqual(self.read("all.png")[25], 6)  # the color type of PNG: with alpha
+
+    def test_environments_are_turned_and_scaled(self):
+        self.write_obj()
+        self.output_of("render", "cornell", "--size", "8x4", "--spp", "1", "-o", "sky.hdr")
+        image = ("render", "a.obj", "--size", "8x8", "--spp", "4", "--camera", "0,0,5")
+        images = set()
+        for arguments in (("--environment", "sky.hdr"), ("--studio", "on")):
+            for more in ((), ("--environment-rotation", "90"), ("--environment-strength", "2")):
+                self.output_of(*image, *arguments, *more, "-o", "a.hdr")
+                images.add(self.read("a.hdr"))
+        self.assertEqual(len(images), 6)
 
     def test_cameras_of_a_file(self):
         """By name and by number; the picture has the shape that the camera was made for."""

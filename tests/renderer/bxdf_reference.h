@@ -61,6 +61,37 @@ inline double specular(const Material& m, int channel, Direction in, Direction o
     return d * g * fresnel(f0Of(channel), f90, cosine) / (4 * in.z * out.z);
 }
 
+/// The light that a smooth boundary reflects, by the amplitudes of Fresnel; `eta` is the index of
+/// refraction on the side of the light over that behind.
+inline double fresnelReflection(double eta, double cosine) {
+    const double sineBehind = eta * std::sqrt(1 - cosine * cosine);
+    if (sineBehind >= 1) return 1;
+    const double behind = std::sqrt(1 - sineBehind * sineBehind);
+    const double across = (eta * cosine - behind) / (eta * cosine + behind);
+    const double along = (cosine - eta * behind) / (cosine + eta * behind);
+    return (across * across + along * along) / 2;
+}
+
+inline double dot(Direction a, Direction b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// What of a clear white material of roughness `roughness` passes from `in` to `out`, on different
+/// sides, without a cosine: Walter 2007, equation 21, over the squared index on the side of `out`
+/// and times that on the side of `in`. `eta` is the index on the side of `out` over the other.
+inline double refracted(double roughness, double eta, Direction in, Direction out) {
+    Direction half{-(eta * out.x + in.x), -(eta * out.y + in.y), -(eta * out.z + in.z)};
+    const double length = std::sqrt(dot(half, half)) * (half.z * out.z < 0 ? -1 : 1);
+    half = {half.x / length, half.y / length, half.z / length};
+    const double o = dot(out, half), i = dot(in, half);
+    if (o <= 0 || i >= 0) return 0;
+    const double alpha = roughness * roughness;
+    const double base = half.z * half.z * (alpha * alpha - 1) + 1;
+    const double d = alpha * alpha / (kPi * base * base);
+    const double g = 1 / (1 + lambda(alpha, std::fabs(in.z)) + lambda(alpha, std::fabs(out.z)));
+    const double root = i + eta * o;
+    return o * -i / std::fabs(out.z * in.z) * (1 - fresnelReflection(eta, o)) * g * d /
+           (root * root);
+}
+
 /// The light that comes back towards a direction with this cosine, of even light of radiance 1: of
 /// the specular lobe by the midpoint rule over the slope of the half vector and its azimuth; of the
 /// diffuse lobe exactly, for the integral over the way in is meanThrough().

@@ -3,6 +3,7 @@
 // Parts of films: put together, written and read back.
 
 #include "renderer/film_file.h"
+#include "renderer/picture_file.h"
 
 #include "RixRNGInline.h"
 
@@ -126,17 +127,20 @@ TEST(FilmFile, ViewersSeeTheMeans) {
     }
 }
 
-/// 0.5 of light is 187.5 of 255 in sRGB; above 1 is white.
-TEST(FilmFile, PngIsSrgb) {
-    Film film(2, 1);
-    film.add(0, 0, {0, 0.5f, 0.002f});
-    film.add(1, 0, {1, 2, 0.2f});
-    const File file(encodePicture(film, ".png"), ".png");
+TEST(FilmFile, GivesBackWhatIsOpen) {
+    FilmPart part = partOf(0, 8, 100, 5);
+    part.film.pixel(1, 2).open = 3;
+    const File file(encodePart(part));
+    expectEqual(readPart(file.path()), part);
     const auto input = OIIO::ImageInput::open(file.path());
     ASSERT_TRUE(input);
-    std::vector<unsigned char> colors(6);
-    ASSERT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, colors.data()));
-    EXPECT_EQ(colors, (std::vector<unsigned char>{0, 188, 7, 255, 255, 124}));
+    ASSERT_EQ(input->spec().channelnames[3], "A");
+    std::vector<float> alpha(kWidth * kHeight);
+    ASSERT_TRUE(input->read_image(0, 0, 3, 4, OIIO::TypeDesc::FLOAT, alpha.data()));
+    EXPECT_EQ(alpha[2 * kWidth + 1], 0.4f);
+    EXPECT_EQ(alpha[0], 1.0f);
+    part.film.pixel(1, 2).open = 9;
+    EXPECT_THROW(readPart(File(encodePart(part)).path()), std::runtime_error);
 }
 
 TEST(FilmFile, OtherFilesAreRefused) {

@@ -84,24 +84,51 @@ TEST(Turned, RefusesNoAxis) {
     EXPECT_THROW(turned(camera, Float3(0.0f), {std::nanf(""), 1, 0}, 3), std::invalid_argument);
 }
 
+/// The corners of a box.
+Scene cornersOf(Float3 low, Float3 high) {
+    Scene scene;
+    Mesh mesh;
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.positions.emplace_back((corner & 1) ? high.x : low.x, (corner & 2) ? high.y : low.y,
+                                    (corner & 4) ? high.z : low.z);
+    scene.meshes.push_back(mesh);
+    return scene;
+}
+
 TEST(Framing, ShowsAllOfTheScene) {
     for (const float aspect : {0.2f, 0.5f, 1.0f, 1.5f, 4.0f}) {
         for (const Float3 size :
              {Float3(1.0f), Float3(100, 0, 1), Float3(0, 1e-3f, 0), Float3(1e8f)}) {
-            const Bounds bounds{Float3(3, -2, 1), Float3(3, -2, 1) + size};
-            const Camera camera = framingCamera(bounds, aspect);
-            for (int corner = 0; corner < 8; ++corner) {
-                const Float3 point((corner & 1) ? bounds.high.x : bounds.low.x,
-                                   (corner & 2) ? bounds.high.y : bounds.low.y,
-                                   (corner & 4) ? bounds.high.z : bounds.low.z);
+            const Scene scene = cornersOf({3, -2, 1}, Float3(3, -2, 1) + size);
+            const Camera camera = framingCamera(scene, aspect);
+            for (const Float3 point : scene.meshes[0].positions)
                 EXPECT_TRUE(isSeen(camera, aspect, point)) << aspect << ' ' << size.x;
-            }
         }
     }
 }
 
+/// A step of a 15th closer, something is cut off; and a sphere fills the picture on all sides.
+TEST(Framing, IsTight) {
+    for (const float aspect : {0.5f, 1.0f, 3.0f}) {
+        const Scene scene = cornersOf({3, -2, 1}, {4, 5, 2});
+        Camera camera = framingCamera(scene, aspect);
+        camera.position += camera.forward * (camera.focusDistance / 15);
+        unsigned seen = 0;
+        for (const Float3 point : scene.meshes[0].positions)
+            seen += isSeen(camera, aspect, point) ? 1 : 0;
+        EXPECT_LT(seen, 8u) << aspect;
+    }
+    Scene scene;
+    scene.spheres.push_back({{1, 2, 3}, 2, 0, {}});
+    const Camera camera = framingCamera(scene, 1);
+    const Float3 to = Float3(1, 2, 3) - camera.position;
+    EXPECT_NEAR(Dot(to, camera.forward) / to.Length(), 1, 1e-5f);
+    const float half = std::tan(std::asin(2 / to.Length())) / std::tan(camera.verticalFov / 2);
+    EXPECT_NEAR(half, 1 / 1.04f, 1e-3f);
+}
+
 TEST(Framing, ASinglePointIsNoTrouble) {
-    const Camera camera = framingCamera({Float3(7.0f), Float3(7.0f)}, 1);
+    const Camera camera = framingCamera(cornersOf(Float3(7.0f), Float3(7.0f)), 1);
     EXPECT_TRUE(std::isfinite(camera.position.x));
     EXPECT_NEAR(camera.forward.Length(), 1.0f, 1e-6f);
 }

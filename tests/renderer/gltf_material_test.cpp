@@ -304,6 +304,43 @@ TEST(GltfMaterial, Specular) {
     expectNear(material.specularTexture.lookup({}), Float3(0.2f));
 }
 
+TEST(GltfMaterial, Transmission) {
+    const TempFolder folder;
+    writeRgba(folder, "a.png", 1, {204, 102, 51, 255});
+    json gltf = quadGltf();
+    gltf["images"] = json::array({{{"uri", "a.png"}}});
+    gltf["textures"] = json::array({{{"source", 0}}});
+    json& extensions = gltf["materials"][0]["extensions"];
+    extensions["KHR_materials_transmission"] = {{"transmissionFactor", 0.75},
+                                                {"transmissionTexture", {{"index", 0}}}};
+    Material material = materialOf(sceneOf(folder, gltf));
+    EXPECT_EQ(material.transmission, 0.75f);
+    EXPECT_NEAR(material.transmissionTexture.lookup({}).x, 0.8f, 1e-5f);
+    EXPECT_EQ(material.ior, 1.5f);
+    EXPECT_FALSE(material.isSolid);
+
+    extensions["KHR_materials_ior"] = {{"ior", 1.25}};
+    extensions["KHR_materials_volume"] = {
+        {"thicknessFactor", 0.1}, {"attenuationDistance", 2}, {"attenuationColor", {0.5, 1, 0}}};
+    material = materialOf(sceneOf(folder, gltf));
+    EXPECT_EQ(material.ior, 1.25f);
+    EXPECT_NEAR(material.specularF0, 1 / 81.0f, 1e-7f);
+    EXPECT_TRUE(material.isSolid);
+    EXPECT_NEAR(material.absorption.x, std::log(2.0f) / 2, 1e-6f);
+    EXPECT_EQ(material.absorption.y, 0.0f);
+    EXPECT_TRUE(material.absorption.z > 6 && std::isfinite(material.absorption.z));
+
+    // A volume without a thickness is a sheet; an index of 0 is the name of what lets nothing pass.
+    extensions["KHR_materials_volume"].erase("thicknessFactor");
+    material = materialOf(sceneOf(folder, gltf));
+    EXPECT_FALSE(material.isSolid);
+    EXPECT_TRUE(isBlack(material.absorption));
+    extensions["KHR_materials_ior"] = {{"ior", 0}};
+    material = materialOf(sceneOf(folder, gltf));
+    EXPECT_EQ(material.transmission, 0.0f);
+    EXPECT_EQ(material.specularF0, 1.0f);
+}
+
 TEST(GltfMaterial, WebpPictures) {
     const TempFolder folder;
     writeRgba(folder, "a.webp", 1, std::vector<uint8_t>{255, 255, 255, 255});

@@ -215,9 +215,31 @@ TEST(EnvironmentLight, LooksWhereTheMapSays) {
     EXPECT_NEAR(light.radiance({0, 0, -1}).x, 3.5f, 1e-5); // the very middle
 }
 
+/// A turn by the right hand about +y takes what is at -z to -x.
+TEST(EnvironmentLight, IsTurned) {
+    Environment environment = sunny();
+    const EnvironmentLight straight(environment);
+    for (const float rotation : {F_PIDIV2, F_PIDIV2 - 8 * F_PI}) {
+        environment.rotation = rotation;
+        const EnvironmentLight light(environment);
+        for (unsigned i = 0; i < 100; ++i) {
+            const Float3 d = squareToSphere(random2D(i));
+            const Float3 back(-d.z, d.y, d.x);
+            EXPECT_NEAR(light.radiance(d).y, straight.radiance(back).y, 0.01f) << i;
+        }
+    }
+}
+
+/// By multiples of the cells that the test sums over.
+class TurnedEnvironment : public ::testing::TestWithParam<float> {};
+
+INSTANTIATE_TEST_SUITE_P(EnvironmentLight, TurnedEnvironment,
+                         ::testing::Values(0.0f, F_TWOPI * 37 / 512, F_TWOPI * -200 / 512));
+
 /// Guards against an environment whose samples and density disagree, and one that leaves out light.
-TEST(EnvironmentLight, SamplesByItsDensity) {
-    const Environment environment = sunny();
+TEST_P(TurnedEnvironment, SamplesByItsDensity) {
+    Environment environment = sunny();
+    environment.rotation = GetParam();
     const EnvironmentLight light(environment);
     ASSERT_TRUE(light.canSample());
     constexpr unsigned kSide = 512;

@@ -5,6 +5,7 @@
 #include "rendering.h"
 
 #include "renderer/builtin_scenes.h"
+#include "renderer/color.h"
 #include "wellstrat/blue.h"
 #include "wellstrat/joint.h"
 #include "wellstrat/long.h"
@@ -244,6 +245,30 @@ TEST(Renderer, AnEmptySceneShowsItsEnvironment) {
     expectMean(renderFilm(scene, 16, 1), Float3(1.0f), 1e-9);
     scene.environment.reset();
     expectMean(renderFilm(scene, 16, 1), Float3(0.0f), 1e-9);
+}
+
+/// The background is left out of the colors, not out of what mirrors and walls see.
+TEST(Render, TransparentBackgrounds) {
+    Scene scene;
+    scene.spheres.push_back({Float3(0.0f), 1, addMaterial(scene, lambertian(Float3(0.5f))), {}});
+    scene.environment.emplace();
+    scene.camera = lookAt({0, 0, 5}, Float3(0.0f), {0, 1, 0}, 0.8f);
+    SamplingOptions options;
+    const Film opaque = renderFilm(scene, 16, 16, options);
+    EXPECT_FALSE(isTransparent(opaque));
+    options.background = false;
+    const Film film = renderFilm(scene, 16, 16, options);
+    EXPECT_EQ(film.alpha(0, 0), 0.0f);
+    EXPECT_TRUE(isBlack(film.mean(0, 0)));
+    EXPECT_EQ(film.alpha(8, 8), 1.0f);
+    double background = 0;
+    for (unsigned y = 0; y < 16; ++y)
+        for (unsigned x = 0; x < 16; ++x) {
+            EXPECT_NEAR(film.mean(x, y).x + 1 - film.alpha(x, y), opaque.mean(x, y).x, 1e-5);
+            background += 1 - film.alpha(x, y);
+        }
+    EXPECT_GT(background, 50);
+    EXPECT_LT(background, 240);
 }
 
 } // namespace

@@ -31,7 +31,7 @@ Scene fullScene() {
     scene.meshes = {mesh};
     scene.spheres = {{{1, 2, 3}, 4, 1, Float3(1, 2, 4)}};
     scene.lights = {{PunctualLight::Kind::spot, {1, 2, 3}, {0, 0, 1}, {1, 1, 1}, 0.9f, 0.5f}};
-    scene.environment = Environment{{1, 1, 1}, textureOf(0.25f)};
+    scene.environment = Environment{{1, 1, 1}, textureOf(0.25f), 0};
     scene.camera = Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, 1, 0.1f, 2};
     return scene;
 }
@@ -62,6 +62,11 @@ TEST(SceneFingerprint, ChangesWithEverything) {
         [](Scene& s) { s.materials[0].opacityCutoff = 0.25f; },
         [](Scene& s) { s.materials[0].alpha = Material::Alpha::mask; },
         [](Scene& s) { s.materials[0].colorIsEmission = true; },
+        [](Scene& s) { s.materials[0].transmission = 0.5f; },
+        [](Scene& s) { s.materials[0].transmissionTexture = textureOf(0.5f); },
+        [](Scene& s) { s.materials[0].ior = 1.3f; },
+        [](Scene& s) { s.materials[0].isSolid = true; },
+        [](Scene& s) { s.materials[0].absorption.y = 1; },
         [](Scene& s) { s.materials[0].metallicRoughnessTexture = textureOf(0.5f); },
         [](Scene& s) { s.materials[0].emissionTexture = textureOf(0.5f); },
         [](Scene& s) { std::swap(s.materials[0], s.materials[1]); },
@@ -88,6 +93,7 @@ TEST(SceneFingerprint, ChangesWithEverything) {
         [](Scene& s) { s.lights[0].cosOuter = 0; },
         [](Scene& s) { s.environment->radiance.x = 2; },
         [](Scene& s) { s.environment->map = textureOf(0.5f); },
+        [](Scene& s) { s.environment->rotation = 1; },
         [](Scene& s) { s.environment.reset(); },
         [](Scene& s) { s.camera->position.x = 1; },
         [](Scene& s) { s.camera->verticalFov = 2; },

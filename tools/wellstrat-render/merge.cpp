@@ -6,6 +6,7 @@
 #include "common/command_line/errors.h"
 #include "common/command_line/messages.h"
 #include "common/command_line/render_commands.h"
+#include "image/display.h"
 #include "image/files.h"
 
 #include <fmt/format.h>
@@ -21,21 +22,24 @@ namespace {
 constexpr auto kExamples =
     R"(The inputs are .exr files of `wellstrat render` with the same scene, size and options, and each
 with other samples. The order does not matter: the result is the same bits as if all samples had
-been rendered at once. If samples are missing, it says which.
+been rendered at once. If samples are missing, it says which. A single image may be merged alone, to
+show it with another --exposure.
 
 Examples:
   wellstrat render veach -o a.exr --samples 0:512
   wellstrat render veach -o b.exr --samples 512:1024
   wellstrat merge a.exr b.exr -o veach.exr -o veach.png
+  wellstrat merge veach.exr -o brighter.jpg --exposure 1.5 --tonemap filmic
 )";
 
 struct MergeOptions {
+    DisplayOptions display;
     std::vector<std::string> inputs, outputs;
 };
 
 void merge(const MergeOptions& options) {
     for (const std::string& path : options.inputs) declareInput(path);
-    ImageFiles files("--output", options.outputs);
+    ImageFiles files("--output", options.outputs, displayOf(options.display));
     render::FilmPart sum = readImage(options.inputs.front());
     for (std::size_t i = 1; i < options.inputs.size(); ++i) {
         const std::string& path = options.inputs[i];
@@ -61,10 +65,11 @@ void addMerge(CLI::App& app, int& /*exitCode*/) {
         ->type_name("FILE...");
     command
         ->add_option("-o,--output", options->outputs,
-                     "The image: FILE.exr, FILE.png or FILE.hdr; may be given several times")
+                     "The image: FILE.exr, .png, .jpg or .hdr; may be given several times")
         ->required()
         ->allow_extra_args(false)
         ->type_name("FILE");
+    addDisplayOptions(*command, options->display);
     command->footer(kExamples);
     command->callback([options] { merge(*options); });
 }

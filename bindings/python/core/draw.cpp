@@ -27,7 +27,7 @@ void drawBy(Draw1D draw1D, Draw2D draw2D, Draw3D draw3D, std::size_t n, const Sa
 
 /// The library's function for points of several coordinates, over their single ones.
 template <typename Point, typename Value>
-auto flat(void (*draw)(std::size_t, const SampleCtx*, Order, Point*)) {
+auto flat(void (*draw)(std::size_t, ArrayArgument<const SampleCtx>, Order, ArrayArgument<Point>)) {
     return [draw](std::size_t n, const SampleCtx* contexts, Order order, Value* values) {
         draw(n, contexts, order, reinterpret_cast<Point*>(values));
     };

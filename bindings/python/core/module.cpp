@@ -90,7 +90,8 @@ void blueContexts(unsigned width, unsigned height, int x, int y, unsigned seed, 
     });
 }
 
-using Derive = void (*)(std::size_t, const SampleCtx*, Scramble, unsigned, SampleCtx*);
+using Derive = void (*)(std::size_t, wellstrat::ArrayArgument<const SampleCtx>, Scramble, unsigned,
+                        wellstrat::ArrayArgument<SampleCtx>);
 
 template <Derive kTables, Derive kBlue>
 void deriveDomains(const py::object& parents, unsigned scramble, unsigned number, bool isBlue,

@@ -97,11 +97,32 @@ private:
             texture(TextureReference(pbr.metallicRoughnessTexture), TextureUse::data);
         readOpacity(color[3], TextureReference(pbr.baseColorTexture));
         if (const auto* ior = extension("KHR_materials_ior")) {
-            const float index = numberOr(*ior, "ior", 1.5f);
-            const float root = (index - 1) / (index + 1); // Fresnel's equations, normal incidence
+            material_.ior = numberOr(*ior, "ior", 1.5f);
+            const float root = (material_.ior - 1) / (material_.ior + 1); // at normal incidence
             material_.specularF0 = clamp01(root * root);
         }
         if (const auto* specular = extension("KHR_materials_specular")) readSpecular(*specular);
+        if (const auto* passing = extension("KHR_materials_transmission")) readPassing(*passing);
+    }
+
+    void readPassing(const tinygltf::Value& passing) {
+        if (material_.ior == 0.0f) return; // the extension's name for what reflects all light
+        material_.transmission = inUnitRange(numberOr(passing, "transmissionFactor", 0));
+        material_.transmissionTexture = texture({passing, "transmissionTexture"}, TextureUse::data);
+        const auto* const volume = extension("KHR_materials_volume");
+        material_.isSolid = volume && numberOr(*volume, "thicknessFactor", 0) > 0;
+        if (material_.isSolid) readAbsorption(*volume);
+    }
+
+    /// From the color that white light has after a distance.
+    void readAbsorption(const tinygltf::Value& volume) {
+        constexpr float kDarkest = 1e-6f, kMostAbsorption = 1e9f; // instead of infinitely much
+        const Float3 color = inUnitRange(float3Or(volume, "attenuationColor", Float3(1)));
+        const float distance = numberOr(volume, "attenuationDistance", 0);
+        if (!(distance > 0) || !std::isfinite(distance)) return;
+        for (int c = 0; c < 3; ++c)
+            material_.absorption[c] =
+                std::min(-std::log(std::max(color[c], kDarkest)) / distance, kMostAbsorption);
     }
 
     void readSpecular(const tinygltf::Value& specular) {
@@ -155,6 +176,7 @@ private:
         material_.baseColor = Float3(0.0f);
         material_.metallic = material_.specularF0 = 0;
         material_.metallicRoughnessTexture = {};
+        material_.transmission = 0;
     }
 
     /// Null if there is none, or none that can be read.

@@ -21,10 +21,12 @@ struct GltfMaterial {
     std::array<int, 2> uvSets{-1, -1};
 };
 
-/// Metallic-roughness materials are taken as they are, with KHR_materials_ior, _specular and
-/// _emissive_strength. Of KHR_materials_pbrSpecularGlossiness, the specular color is that of a
-/// non-metal, and its diffuse lobe loses what that reflects. Surfaces of KHR_materials_unlit give
-/// off their color as light, and reflect none. KHR_texture_transform maps
+/// Metallic-roughness materials are taken as they are, with KHR_materials_ior, _specular,
+/// _emissive_strength, _transmission and _volume: where that gives a thickness, whichever, the mesh
+/// is the boundary of a body, whose shape says how thick it is. Of
+/// KHR_materials_pbrSpecularGlossiness, the specular color is that of a non-metal, and its diffuse
+/// lobe loses what that reflects. Surfaces of KHR_materials_unlit give off their color as light,
+/// and reflect none. KHR_texture_transform maps
 ///
 ///     u' = offset.x + scale.x cos(rotation) u + scale.y sin(rotation) v
 ///     v' = offset.y - scale.x sin(rotation) u + scale.y cos(rotation) v

@@ -8,7 +8,7 @@
 #include "verdict.h"
 
 #include "renderer/builtin_scenes.h"
-#include "renderer/film_file.h"
+#include "renderer/picture_file.h"
 #include "renderer/pixel_mask.h"
 
 #include <fmt/format.h>

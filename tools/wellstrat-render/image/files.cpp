@@ -15,10 +15,11 @@
 
 namespace wellstrat::cli {
 
-ImageFiles::ImageFiles(const std::string& option, const std::vector<std::string>& paths)
-    : paths_(paths) {
+ImageFiles::ImageFiles(const std::string& option, const std::vector<std::string>& paths,
+                       const render::Display& display)
+    : paths_(paths), display_(display) {
     for (const std::string& path : paths) {
-        suffixes_.push_back(requireSuffix(option, path, {".exr", ".png", ".hdr"}));
+        suffixes_.push_back(requireSuffix(option, path, {".exr", ".png", ".jpg", ".jpeg", ".hdr"}));
     }
     for (const std::string& path : paths) files_.emplace_back(path);
 }
@@ -41,8 +42,9 @@ void ImageFiles::write(const render::FilmPart& part) {
 
 void ImageFiles::write(std::size_t i, const render::FilmPart& part) {
     try {
-        files_[i].write(suffixes_[i] == ".exr" ? render::encodePart(part)
-                                               : render::encodePicture(part.film, suffixes_[i]));
+        files_[i].write(suffixes_[i] == ".exr"
+                            ? render::encodePart(part)
+                            : render::encodePicture(part.film, suffixes_[i], display_));
         files_[i].commit();
     } catch (const CliError&) {
         throw;

@@ -7,6 +7,7 @@
 #include "common/output/output_file.h"
 
 #include "renderer/film_part.h"
+#include "renderer/picture_file.h"
 
 #include <deque>
 #include <string>
@@ -14,12 +15,13 @@
 
 namespace wellstrat::cli {
 
-/// Files of one image: .exr with the exact sums, .png and .hdr as pictures only. Throws CliError if
-/// a name has none of these suffixes or cannot be written.
+/// Files of one image: .exr with the exact sums, .png, .jpg and .hdr as pictures only. Throws
+/// CliError if a name has none of these suffixes or cannot be written.
 class ImageFiles {
 public:
     /// `option` is named in messages.
-    ImageFiles(const std::string& option, const std::vector<std::string>& paths);
+    ImageFiles(const std::string& option, const std::vector<std::string>& paths,
+               const render::Display& display = {});
 
     /// Whether one of the files is .exr, and so can be resumed.
     bool keepSums() const;
@@ -32,6 +34,7 @@ private:
     void write(std::size_t i, const render::FilmPart& part);
 
     std::vector<std::string> paths_, suffixes_;
+    render::Display display_;
     std::deque<OutputFile> files_;
 };
 

@@ -45,6 +45,7 @@ std::unique_ptr<render::Renderer> makeRenderer(const SceneOptions& options,
     sampling.depth = static_cast<unsigned>(options.depth);
     sampling.split = static_cast<unsigned>(options.split);
     sampling.distrib = options.distrib;
+    sampling.background = !options.transparent;
     try {
         return std::make_unique<render::Renderer>(scene, size.width, size.height, sampling);
     } catch (const std::invalid_argument& error) {
@@ -61,13 +62,16 @@ std::unique_ptr<tbb::global_control> limitThreads(const SceneOptions& options) {
 std::map<std::string, std::string> imageSettings(const SceneOptions& options,
                                                  const std::string& fingerprint,
                                                  const std::string& generator) {
-    return {{"scene", fingerprint},
-            {"generator", generator},
-            {"stream_version", fmt::format("{}", kStreamVersion)},
-            {"seed", fmt::format("{}", options.seed)},
-            {"depth", fmt::format("{}", options.depth)},
-            {"split", fmt::format("{}", options.split)},
-            {"distrib", options.distrib ? "yes" : "no"}};
+    std::map<std::string, std::string> settings{
+        {"scene", fingerprint},
+        {"generator", generator},
+        {"stream_version", fmt::format("{}", kStreamVersion)},
+        {"seed", fmt::format("{}", options.seed)},
+        {"depth", fmt::format("{}", options.depth)},
+        {"split", fmt::format("{}", options.split)},
+        {"distrib", options.distrib ? "yes" : "no"}};
+    if (options.transparent) settings["background"] = "transparent";
+    return settings;
 }
 
 uint64_t mostSamples(const SceneOptions& options) { return kMaxWord / options.split; }

@@ -32,8 +32,8 @@ namespace {
 
 constexpr auto kExamples =
     R"(Writes FILE.exr, which shows the image and keeps the exact sums of its samples, so that other
-samples can be added later; FILE.png (sRGB) and FILE.hdr are pictures only. An image is the same
-bits for any number of threads and processes, and in how many pieces it was rendered:
+samples can be added later; FILE.png, FILE.jpg (both sRGB) and FILE.hdr are pictures only. An image
+is the same bits for any number of threads and processes, and in how many pieces it was rendered:
 --samples A:B renders some of the samples of each pixel, `wellstrat merge` puts such parts together,
 and mpirun shares the tiles of one image.
 
@@ -60,6 +60,7 @@ Examples:
   wellstrat render --list
   wellstrat render cornell -o cornell.exr -o cornell.png --spp 256
   wellstrat render model.glb -o model.exr --environment sky.hdr --size 640x480 --time-limit 60
+  wellstrat render model.glb -o model.png --studio on --exposure 0.5 --tonemap filmic
   wellstrat render veach -o veach.exr --spp 4096 --checkpoint veach-part.exr
   wellstrat render veach -o veach.exr --spp 4096 --resume veach-part.exr
   wellstrat render lens -o a.exr --samples 0:512

@@ -45,9 +45,12 @@ void addRenderOptions(CLI::App& command, RenderOptions& options) {
     command.add_flag("--list", options.list, "Print the built-in scenes and exit");
     command
         .add_option("-o,--output", options.outputs,
-                    "The image: FILE.exr, FILE.png or FILE.hdr; may be given several times")
+                    "The image: FILE.exr, .png, .jpg or .hdr; may be given several times")
         ->allow_extra_args(false)
         ->type_name("FILE");
+    addDisplayOptions(command, options.display);
+    command.add_flag("--transparent", options.scene.transparent,
+                     "What is behind the scene is transparent in .png and .exr");
     command
         .add_option("--generator", options.generator,
                     "What draws the samples: pmj, joint, long, blue or random [pmj]")

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "image/display.h"
 #include "scene/options.h"
 
 #include <CLI/App.hpp>
@@ -27,6 +28,7 @@ struct RenderOptions {
     SceneOptions scene;
     std::string generator = "pmj";
     std::vector<std::string> outputs;
+    DisplayOptions display;
     std::optional<uint64_t> spp;
     std::optional<SampleSpan> samples;
     std::optional<uint64_t> frame, frames; ///< the first one, and how many

@@ -112,6 +112,7 @@ void finish(const RenderOptions& options, Picture& picture, RenderEnd end, const
     const render::FilmPart part = partOf(picture, std::move(picture.part.film));
     writeAll(options, picture, part, end == RenderEnd::finished);
     sayInvalid(part.film);
+    sayIfInvisible(part.film, displayOf(options.display));
     if (end == RenderEnd::finished) {
         sayDone(options, picture, part.film, cost);
     } else {
@@ -151,7 +152,9 @@ Picture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize siz
     return {frame,
             {span.begin, span.end, options.noise, options.timeLimit, label},
             std::move(part),
-            root ? std::make_unique<ImageFiles>("--output", outputsOf(options, frame)) : nullptr};
+            root ? std::make_unique<ImageFiles>("--output", outputsOf(options, frame),
+                                                displayOf(options.display))
+                 : nullptr};
 }
 
 void resumePicture(const RenderOptions& options, Picture& picture, render::FilmPart part) {

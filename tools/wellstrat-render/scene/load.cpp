@@ -11,6 +11,7 @@
 #include "renderer/framing.h"
 #include "renderer/memory.h"
 #include "renderer/scene_file.h"
+#include "renderer/studio.h"
 
 #include <fmt/format.h>
 
@@ -84,13 +85,14 @@ std::string placingOptions(const SceneOptions& options) {
     return names;
 }
 
+float aspectOf(const SceneOptions& options, const render::Scene& scene) {
+    if (!options.size) return scene.aspect;
+    return static_cast<float>(options.size->width) / static_cast<float>(options.size->height);
+}
+
 void changeCamera(const SceneOptions& options, render::Scene& scene) {
     render::Camera& camera = *scene.camera;
-    if (scene.cameraIsAutomatic && options.size) {
-        const auto [width, height] = *options.size;
-        camera = render::framingCamera(render::sceneBounds(scene),
-                                       static_cast<float>(width) / static_cast<float>(height));
-    }
+    if (scene.cameraIsAutomatic) camera = render::framingCamera(scene, aspectOf(options, scene));
     try {
         if (options.position || options.lookAt || options.up) {
             camera = placed(options, scene, camera);
@@ -104,6 +106,37 @@ void changeCamera(const SceneOptions& options, render::Scene& scene) {
     }
     if (options.lensRadius) camera.lensRadius = static_cast<float>(*options.lensRadius);
     if (options.focus) camera.focusDistance = static_cast<float>(*options.focus);
+}
+
+/// Lights the scene if the options want it, or if it needs it, which a note says.
+void addStudio(const SceneOptions& options, render::Scene& scene) {
+    const bool isAuto = options.studio == "auto";
+    if (options.studio == "off" ||
+        (isAuto && (scene.environment || render::isBuiltinScene(options.scene))))
+        return;
+    if (options.environment)
+        throw CliError("--studio on and --environment are two lights from around: choose one");
+    if (isAuto) {
+        const double lit = render::litShare(scene, aspectOf(options, scene));
+        if (lit >= render::kLeastLit) return;
+        scene.notes.push_back(fmt::format(
+            "{}: a studio lights it; --studio off renders without.",
+            lit == 0
+                ? "There is no light"
+                : fmt::format("The scene's own light shows {:.1f} % of what is seen", 100 * lit)));
+    }
+    scene.environment = render::studio(scene.camera->forward);
+}
+
+void changeEnvironment(const SceneOptions& options, render::Scene& scene) {
+    if (!options.environmentRotation && !options.environmentStrength) return;
+    if (!scene.environment)
+        throw CliError(fmt::format(
+            "{}: the scene has no light from around, which --environment and --studio on give",
+            options.environmentRotation ? "--environment-rotation" : "--environment-strength"));
+    scene.environment->rotation +=
+        static_cast<float>(options.environmentRotation.value_or(0) * kDegree);
+    scene.environment->radiance *= static_cast<float>(options.environmentStrength.value_or(1));
 }
 
 /// Puts `text` in the place of a note that the options made untrue; nothing if that is empty.
@@ -133,9 +166,10 @@ render::Scene loadScene(const SceneOptions& options) {
     if (options.environment) {
         declareInput(*options.environment);
         scene.environment = render::readEnvironment(*options.environment, &scene.notes);
-        replaceNote(scene.notes, render::kNoLightNote, "");
     }
     changeCamera(options, scene);
+    addStudio(options, scene);
+    changeEnvironment(options, scene);
     if (options.position) {
         replaceNote(scene.notes, render::kNoCameraNote, "");
     } else if (options.lookAt || options.up || options.fov) {

@@ -88,6 +88,15 @@ CLI::Option* addSceneOptions(CLI::App& command, SceneOptions& options) {
         .add_option("--environment", options.environment,
                     "Light from around: a latitude-longitude picture, such as FILE.hdr")
         ->type_name("FILE");
+    addReal(command, "--environment-rotation", options.environmentRotation, {-360, 360},
+            "Degrees by which it is turned, counterclockwise from above [0]");
+    addReal(command, "--environment-strength", options.environmentStrength, {0, 1e6},
+            "Multiplies its light [1]");
+    command
+        .add_option("--studio", options.studio,
+                    "Gray light from around: on, off, or auto, where a file is dark [auto]")
+        ->check(CLI::IsMember({"auto", "on", "off"}))
+        ->type_name("WHEN");
     command.add_option("--camera-name", options.cameraName, "The scene file's camera of this name")
         ->type_name("NAME");
     addNumber(command, "--camera-number", options.cameraNumber, {1, kMaxWord},
@@ -109,6 +118,12 @@ std::string sceneArguments(const SceneOptions& options, ImageSize size) {
                     size.width, size.height, options.depth, options.split, options.seed);
     if (options.distrib) text += " --distrib";
     if (options.environment) text += " --environment " + shellWord(*options.environment);
+    if (options.studio != "auto") text += " --studio " + options.studio;
+    const auto addReal = [&text](const char* flag, const std::optional<double>& value) {
+        if (value) text += fmt::format(" {} {}", flag, *value);
+    };
+    addReal("--environment-rotation", options.environmentRotation);
+    addReal("--environment-strength", options.environmentStrength);
     const auto addPoint = [&text](const char* flag, const std::optional<Float3>& p) {
         if (p) text += fmt::format(" {} {},{},{}", flag, p->x, p->y, p->z);
     };
@@ -117,9 +132,6 @@ std::string sceneArguments(const SceneOptions& options, ImageSize size) {
     addPoint("--camera", options.position);
     addPoint("--look-at", options.lookAt);
     addPoint("--up", options.up);
-    const auto addReal = [&text](const char* flag, const std::optional<double>& value) {
-        if (value) text += fmt::format(" {} {}", flag, *value);
-    };
     addReal("--fov", options.fov);
     addReal("--lens-radius", options.lensRadius);
     addReal("--focus", options.focus);

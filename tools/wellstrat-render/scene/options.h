@@ -21,6 +21,9 @@ struct ImageSize {
 struct SceneOptions {
     std::string scene;
     std::optional<std::string> environment;
+    std::optional<double> environmentRotation; ///< degrees
+    std::optional<double> environmentStrength;
+    std::string studio = "auto";           ///< or "on" or "off"
     std::optional<std::string> cameraName; ///< of a scene file
     std::optional<uint64_t> cameraNumber;  ///< from 1
     std::optional<Float3> position, lookAt, up;
@@ -29,7 +32,7 @@ struct SceneOptions {
     std::optional<ImageSize> size;
 
     uint64_t depth = 5, split = 1, seed = 0;
-    bool distrib = false;
+    bool distrib = false, transparent = false;
     std::optional<uint64_t> threads;
 };
 
