@@ -80,6 +80,6 @@ WELLSTRAT_HOST_DEVICE constexpr bool operator==(RtColorRGB a, RtColorRGB b) {
 WELLSTRAT_HOST_DEVICE constexpr bool operator!=(RtColorRGB a, RtColorRGB b) { return !(a == b); }
 
 namespace RixConstants {
-constexpr RtColorRGB k_ZeroRGB(0.0f);
-constexpr RtColorRGB k_OneRGB(1.0f);
+constexpr RtColorRGB k_ZeroRGB{0.0f};
+constexpr RtColorRGB k_OneRGB{1.0f};
 } // namespace RixConstants

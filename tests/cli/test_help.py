@@ -3,11 +3,14 @@
 
 import json
 import os
+import pathlib
+import re
 import shlex
 import unittest
 
 from support import RENDER_PROGRAM, CliTest
 
+DEBIAN = pathlib.Path(__file__).parents[2] / "packaging" / "debian"
 RENDERING = ("render", "merge", "compare", "domains")
 SUBCOMMANDS = ("sample", "verify", "tables", "analyze", "info", "study", "report", "bank", "ranks",
                *(RENDERING if RENDER_PROGRAM else ()))
@@ -53,6 +56,12 @@ class HelpTest(CliTest):
         text = self.help_of()
         for name in SUBCOMMANDS:
             self.assertRegex(text, rf"(?m)^  {name} +\S")
+
+    def test_every_subcommand_has_a_manual_page_in_the_packages(self):
+        listed = self.help_of().partition("Subcommands:\n")[2].partition("\n\n")[0]
+        pages = "".join(path.read_text() for path in DEBIAN.glob("*.manpages"))
+        self.assertEqual(sorted(re.findall(r"wellstrat-(\w+)\.1", pages)),
+                         sorted(re.findall(r"(?m)^  (\w+)", listed)))
 
     def test_every_option_is_listed(self):
         for name in SUBCOMMANDS:

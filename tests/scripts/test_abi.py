@@ -10,7 +10,8 @@ from support import TreeTest
 
 @unittest.skipUnless(shutil.which("abidiff"), "needs abigail-tools")
 class Abi(TreeTest):
-    COPIED = ("CMakeLists.txt", "LICENSE", "cmake", "include", "src", "scripts", "abi")
+    COPIED = ("CMakeLists.txt", "LICENSE", "cmake", "include", "packaging", "src", "scripts",
+              "abi")
 
     def test_changes_are_seen(self):
         shutil.rmtree(self.tree / "abi" / platform.machine(), ignore_errors=True)
@@ -21,6 +22,8 @@ class Abi(TreeTest):
         code, output = self.run_script("abi", "--record")
         self.assertEqual(code, 0, output)
         self.assertIn("/libwellstrat.so.", output)
+        if platform.machine() == "x86_64":
+            self.assertEqual(self.run_script("debian-symbols"), (0, ""))
         self.assertEqual(self.run_script("abi"), (0, ""))
 
         self.replace("include/wellstrat/domain_finding.h", "    SampleCtx path;",
