@@ -111,8 +111,9 @@ std::vector<std::vector<ErrorEstimate>> Study::estimates() const {
 std::vector<SlopeFit> Study::slopes(uint32_t firstCount) const {
     std::vector<SlopeFit> all;
     for (const std::vector<ErrorEstimate>& errors : estimates()) {
-        std::vector<double> rmse;
-        for (const ErrorEstimate& error : errors) rmse.push_back(error.rmse);
+        std::vector<double> rmse(errors.size());
+        std::transform(errors.begin(), errors.end(), rmse.begin(),
+                       [](const ErrorEstimate& error) { return error.rmse; });
         all.push_back(fitSlope(counts_, rmse, firstCount));
     }
     return all;

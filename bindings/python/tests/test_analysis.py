@@ -3,6 +3,7 @@
 
 import itertools
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -48,6 +49,19 @@ def test_l2_discrepancies_beside_scipy():
     assert found["star"] == pytest.approx(qmc.discrepancy(points, method="L2-star"), 1e-9)
     for kind, method in (("centered", "CD"), ("wrap-around", "WD"), ("mixture", "MD")):
         assert found[kind]**2 == pytest.approx(qmc.discrepancy(points, method=method), 1e-9)
+
+
+def test_l2_discrepancies_of_many_points():
+    """Of which SciPy has four digits left: an exact sum of integers has the value."""
+    n, dims = 2**13, 3
+    points = wellstrat.samples(7, n, dims=dims, dtype=np.float64)
+    a = np.floor(points * n).astype(np.int64)
+    z = abs(a - n // 2)
+    single = sum(int(p) * int(q) * int(r) for p, q, r in 2 * n * n + n * z - z * z)
+    double = sum(int((2 * n + z[i] + z - abs(a[i] - a)).prod(axis=1).sum()) for i in range(n))
+    square = (Fraction(13, 12)**dims - Fraction(2 * single, n * (2 * n * n)**dims)
+              + Fraction(double, n * n * (2 * n)**dims))
+    assert abs(analysis.l2_discrepancies(a / n)["centered"] - math.sqrt(square)) < 1e-12
 
 
 def test_t_values():

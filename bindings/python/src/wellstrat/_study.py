@@ -14,6 +14,7 @@ from ._progress import Progress, steps
 #: A name, or a function of (pattern, count) that returns points of shape (count, dims).
 Generator = Union[str, Callable[[int, int], Any]]
 
+_MOST_POINTS = 2**24  # all of a pattern are in memory
 _PART = 2**20  # points that are measured between two looks for Ctrl-C
 
 
@@ -49,7 +50,7 @@ def study(generators: Generator | Sequence[str] | Mapping[str, Generator],
     integrands : str or sequence of str
         See `integrands`.
     counts : int or sequence of int
-        Numbers of points, increasing, 1 to ``2**32 - 1``.
+        Numbers of points, increasing, 1 to ``2**24``.
     patterns : int
         Of how many patterns to take the mean.
     progressive : bool
@@ -77,7 +78,7 @@ def study(generators: Generator | Sequence[str] | Mapping[str, Generator],
     """
     subjects = _named(generators)
     names = _listed(integrands)
-    sizes = [integer(count, "counts", 1, WORDS) for count in _listed(counts)]
+    sizes = [integer(count, "counts", 1, _MOST_POINTS + 1) for count in _listed(counts)]
     number = integer(patterns, "patterns", 1, WORDS + 1)
     for what, given in (("generators", subjects), ("integrands", names), ("counts", sizes)):
         if not given:

@@ -124,6 +124,8 @@ def spectrum(found: Mapping[str, Any] | npt.ArrayLike, *, ax: Axes | None = None
     'frequency in x'
     """
     known = _spectrum(found)
+    if "radial" not in known:
+        raise TypeError("found must be a spectrum of points; radial_spectrum shows those of pictures")
     most = known["frequency"][-1] + 0.5
     power = known["power"].copy()
     middle = len(power) // 2
@@ -194,9 +196,13 @@ def errors(found: Mapping[str, Mapping[str, Any]], integrand: str | None = None,
     >>> ax.get_title(), len(ax.lines)
     ('disk', 2)
     """
-    if not isinstance(found, Mapping) or not found:
+    if not isinstance(found, Mapping) or not found or not all(
+            isinstance(by_integrand, Mapping) for by_integrand in found.values()):
         raise TypeError("found must be what analysis.study returned")
-    names = list(next(iter(found.values())))
+    names = [name for name in next(iter(found.values()))
+             if all(name in by_integrand for by_integrand in found.values())]
+    if not names:
+        raise ValueError("the generators in found have no integrand in common")
     name = names[0] if integrand is None else integrand
     if name not in names:
         raise ValueError(f"integrand must be one of {', '.join(map(repr, names))}, not {name!r}")
@@ -233,6 +239,8 @@ def _columns(values: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
 def _spectrum(found: Any) -> Mapping[str, Any]:
     """A spectrum, or that of points."""
     if isinstance(found, Mapping):
+        if not {"frequency", "power"} <= set(found):
+            raise TypeError("found must be what analysis.spectrum returned, or points")
         return found
     from .analysis import spectrum as measured
     return measured(found)
