@@ -57,7 +57,8 @@ def test_other_threads_run_meanwhile():
 
 
 def digest(seed):
-    return float(wellstrat.samples(seed, 5000).sum())
+    xy = wellstrat.samples(seed, 5000)
+    return float(xy.sum()), wellstrat.analysis.spectrum(xy, 8)["peak"]
 
 
 def test_processes_after_first_use():
