@@ -11,13 +11,15 @@ die() {
     exit 2
 }
 
-# cxx_files FOLDER...: all C++, C and CUDA files below those of the folders that exist.
+# cxx_files FOLDER...: all C++, C and CUDA files below those of the folders that exist, but
+# what a build of the Python package leaves.
 cxx_files() {
     local folder present=()
     for folder; do
         if [ -d "$folder" ]; then present+=("$folder"); fi
     done
-    find "${present[@]}" -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' -o -name '*.cu' \) | LC_ALL=C sort
+    find "${present[@]}" -path bindings/python/build -prune -o -type f \
+        \( -name '*.h' -o -name '*.cpp' -o -name '*.c' -o -name '*.cu' \) -print | LC_ALL=C sort
 }
 
 # first_program NAME...: the first of these programs that is installed.

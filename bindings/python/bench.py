@@ -101,6 +101,16 @@ def measure_speed():
     rows.append(compared("`samples`: 200 patterns x 64 points, 2D", sobol, 1000, shortest(
         lambda: wellstrat.samples(patterns, 64, generator="long"), sobol_patterns, turns=5)))
 
+    # All that SciPy knows, at once and one by one.
+    points = wellstrat.samples(7, 2**14, dims=3, dtype=np.float64)
+    kinds = {"star": "L2-star", "centered": "CD", "wrap-around": "WD", "mixture": "MD"}
+    for some in (list(kinds), *([kind] for kind in kinds)):
+        rows.append(compared(
+            f"`l2_discrepancies`: {', '.join(some)}; 2^14 points, 3D", "SciPy's `discrepancy`", 8,
+            shortest(lambda some=some: wellstrat.analysis.l2_discrepancies(points, some),
+                     lambda some=some: [qmc.discrepancy(points, method=kinds[kind]) for kind in some],
+                     turns=3)))
+
     rows.append(["`import wellstrat`, after NumPy", f"{1e3 * importing():.0f} ms", "", "", "",
                  "60 ms at most"])
     print_table(["", "time", "beside", "its time", "ratio", "wanted"], rows)

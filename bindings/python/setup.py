@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What pyproject.toml cannot say: the version is CMake's, and CMake builds the compiled module.
+"""What pyproject.toml cannot say: the version is CMake's, and CMake builds the compiled modules.
 
 Honors what Debian's builds set in the environment: CXX, CXXFLAGS, CPPFLAGS, LDFLAGS.
 """
@@ -15,6 +15,7 @@ from setuptools.command.build_ext import build_ext
 from setuptools.command.sdist import sdist
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+TARGETS = {"wellstrat._core": "wellstrat_python", "wellstrat._analysis": "wellstrat_python_analysis"}
 
 
 def version():
@@ -25,7 +26,7 @@ def version():
 
 
 class CMakeBuild(build_ext):
-    """Builds the library and the module that it is compiled into."""
+    """Builds the libraries and the modules that they are compiled into."""
 
     def build_extension(self, ext):
         build = pathlib.Path(self.build_temp).resolve()
@@ -38,7 +39,7 @@ class CMakeBuild(build_ext):
                    f"-DCMAKE_MODULE_LINKER_FLAGS={os.environ.get('LDFLAGS', '')}",
                    f"-DPython_EXECUTABLE={sys.executable}",
                    f"-DCMAKE_LIBRARY_OUTPUT_DIRECTORY={module.parent}")
-        self.cmake("--build", build, "--target", "wellstrat_python",
+        self.cmake("--build", build, "--target", TARGETS[ext.name],
                    "--parallel", str(len(os.sched_getaffinity(0))))
 
     def cmake(self, *arguments):
@@ -55,5 +56,5 @@ class NoSdist(sdist):
                  "of the project's source archive.")
 
 
-setup(version=version(), ext_modules=[Extension("wellstrat._core", sources=[])],
+setup(version=version(), ext_modules=[Extension(name, sources=[]) for name in TARGETS],
       cmdclass={"build_ext": CMakeBuild, "sdist": NoSdist})

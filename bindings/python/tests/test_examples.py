@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The examples run, and show what they say."""
 
+import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -40,6 +42,36 @@ def test_lens_and_light():
     apart, together, ratio = rows["256"]
     assert together < 0.7 * apart
     assert abs(ratio - together / apart) < 0.01
+
+
+def test_look_at_points(tmp_path):
+    pytest.importorskip("matplotlib")
+    subprocess.run([sys.executable, FOLDER / "look_at_points.py", "--output", tmp_path / "look.png"],
+                   check=True)
+    assert (tmp_path / "look.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_notebook(tmp_path):
+    """It is kept without results, and all of its cells run."""
+    notebook = FOLDER / "your_points.ipynb"
+    kept = [cell for cell in json.loads(notebook.read_text())["cells"] if cell["cell_type"] == "code"]
+    assert not any(cell["outputs"] for cell in kept)
+
+    pytest.importorskip("nbconvert")
+    kernel = tmp_path / "kernels" / "python3"  # this interpreter, whatever others are installed
+    kernel.mkdir(parents=True)
+    (kernel / "kernel.json").write_text(json.dumps({
+        "argv": [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"],
+        "display_name": "Python 3", "language": "python"}))
+    subprocess.run([sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute", notebook,
+                    "--output-dir", tmp_path], check=True, capture_output=True,
+                   env={**os.environ, "JUPYTER_PATH": str(tmp_path)})
+    cells = [cell for cell in json.loads((tmp_path / notebook.name).read_text())["cells"]
+             if cell["cell_type"] == "code"]
+    printed = "".join("".join(output.get("text", ())) for cell in cells for output in cell["outputs"])
+    assert "pmj: t = 0" in printed
+    pictures = sum("image/png" in output.get("data", ()) for cell in cells for output in cell["outputs"])
+    assert pictures == 7
 
 
 def test_all_have_help():

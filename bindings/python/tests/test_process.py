@@ -57,7 +57,8 @@ def test_other_threads_run_meanwhile():
 
 
 def digest(seed):
-    return float(wellstrat.samples(seed, 5000).sum())
+    xy = wellstrat.samples(seed, 5000)
+    return float(xy.sum()), wellstrat.analysis.spectrum(xy, 8)["peak"]
 
 
 def test_processes_after_first_use():
@@ -111,6 +112,39 @@ def test_interrupts_end_long_draws():
     """) == "True\n"
 
 
+def test_interrupts_end_long_measures():
+    assert run("""
+        import _thread, threading, time, numpy, wellstrat
+        points = numpy.random.default_rng(1).random((2**16, 6))
+        threading.Timer(0.2, _thread.interrupt_main).start()
+        start = time.perf_counter()
+        try:
+            wellstrat.analysis.l2_discrepancies(points)  # takes seconds
+        except KeyboardInterrupt:
+            print(time.perf_counter() - start < 1)
+    """) == "True\n"
+
+
+def test_interrupts_end_studies():
+    assert run("""
+        import _thread, threading, time, wellstrat
+        threading.Timer(0.2, _thread.interrupt_main).start()
+        start = time.perf_counter()
+        try:
+            wellstrat.analysis.study("pmj", counts=[4096], patterns=10**6)
+        except KeyboardInterrupt:
+            print(time.perf_counter() - start < 1)
+    """) == "True\n"
+
+
+def test_threads_measure_meanwhile():
+    points = np.random.default_rng(1).random((2000, 3))
+    expected = wellstrat.analysis.l2_discrepancies(points)
+    with concurrent.futures.ThreadPoolExecutor(8) as pool:
+        for found in pool.map(wellstrat.analysis.l2_discrepancies, [points] * 32):
+            assert found == expected
+
+
 def test_sub_interpreters_are_refused():
     interpreters = pytest.importorskip("_xxsubinterpreters")
     interpreter = interpreters.create()
@@ -125,25 +159,47 @@ def test_sub_interpreters_are_refused():
 def test_submodules_load_at_first_use():
     assert run("""
         import sys, wellstrat
-        assert not any(name.startswith(("scipy", "matplotlib", "wellstrat.qmc")) for name in sys.modules)
-        assert "qmc" in dir(wellstrat)
+        late = ("scipy", "matplotlib", "wellstrat.qmc", "wellstrat.plot", "wellstrat.analysis",
+                "wellstrat._analysis")
+        assert not any(name.startswith(late) for name in sys.modules)
+        assert {"analysis", "plot", "qmc", "warp"} <= set(dir(wellstrat))
+        wellstrat.analysis.t_value([[0.5]])
+        assert not any(name.startswith(("scipy", "matplotlib")) for name in sys.modules)
         wellstrat.qmc.OwenSobol
-        print("scipy" in sys.modules)
-    """) == "True\n"
+        wellstrat.plot.points
+        print("scipy" in sys.modules, "matplotlib" in sys.modules)
+    """) == "True True\n"
 
 
-def test_without_scipy():
-    assert run("""
+@pytest.mark.parametrize("submodule, missing, needs", (
+    ("qmc", "scipy", "SciPy 1.10 or newer: install python3-scipy of Debian, or scipy by pip"),
+    ("plot", "matplotlib", "matplotlib: install python3-matplotlib of Debian, or matplotlib by pip"),
+    ("analysis", "wellstrat._analysis", "FFTW 3: install libfftw3-double3 of Debian (import of "
+     "wellstrat._analysis halted; None in sys.modules)"),
+))
+def test_without_what_a_submodule_needs(submodule, missing, needs):
+    assert run(f"""
         import sys
-        sys.modules["scipy"] = None
+        sys.modules["{missing}"] = None
         import wellstrat
         wellstrat.samples(1, 4)
         try:
-            wellstrat.qmc
+            wellstrat.{submodule}
         except ImportError as error:
             print(error)
-    """) == ("wellstrat.qmc needs SciPy 1.10 or newer: install python3-scipy of Debian, or scipy by "
-             "pip\n")
+    """) == f"wellstrat.{submodule} needs {needs}\n"
+
+
+def test_without_tqdm():
+    assert run("""
+        import sys
+        sys.modules["tqdm"] = None
+        import wellstrat
+        try:
+            wellstrat.analysis.spectrum(wellstrat.samples(1, 4), progress=True)
+        except ImportError as error:
+            print(str(error).split(":")[0])
+    """) == "progress=True needs tqdm\n"
 
 
 def test_unknown_names():

@@ -3,7 +3,8 @@
 
 `samples` draws from one pattern, `draw` from any contexts; those of pictures begin at
 `camera_contexts` and `blue_contexts`. `wellstrat.warp` maps samples to shapes and directions,
-`wellstrat.qmc` has engines for SciPy. Submodules load at first use.
+`wellstrat.qmc` has engines for SciPy, `wellstrat.analysis` measures points and generators, and
+`wellstrat.plot` shows them. Submodules load at first use.
 
 All functions are safe in several threads at once, and let other threads run while they compute.
 """
@@ -25,9 +26,9 @@ from ._random import Choice, choose_and_remap, hash_to_random
 from ._samples import draw, samples
 
 if TYPE_CHECKING:
-    from . import qmc, warp
+    from . import analysis, plot, qmc, warp
 
-_SUBMODULES = ("qmc", "warp")
+_SUBMODULES = ("analysis", "plot", "qmc", "warp")
 
 __all__ = [
     "Choice", "__version__", "blue_contexts", "camera_contexts", "choose_and_remap",
