@@ -150,17 +150,20 @@ WELLSTRAT_HOST_DEVICE inline Question randomQuestion(Kind kind, uint32_t number)
     return question;
 }
 
-/// A word that depends on the question and on every bit of the answer. Sums of these are the same
-/// in any order of the questions.
-WELLSTRAT_HOST_DEVICE inline uint64_t digest(const DeviceTables& tables, Kind kind,
-                                             uint32_t number) {
-    const Answer result = answer(tables, randomQuestion(kind, number));
+/// A word that depends on the number of a question and on every bit of the answer. Sums of these
+/// are the same in any order of the questions.
+WELLSTRAT_HOST_DEVICE inline uint64_t digestOf(const Answer& result, uint32_t number) {
     uint64_t hash = number;
     for (const uint32_t word : result.words) {
         hash = (hash ^ word) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio
         hash ^= hash >> 32;
     }
     return hash;
+}
+
+WELLSTRAT_HOST_DEVICE inline uint64_t digest(const DeviceTables& tables, Kind kind,
+                                             uint32_t number) {
+    return digestOf(answer(tables, randomQuestion(kind, number)), number);
 }
 
 } // namespace gpu_check
