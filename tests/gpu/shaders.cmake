@@ -42,3 +42,12 @@ if(OpenCL_FOUND)
 else()
   message(STATUS "No OpenCL: its kernels are not tested")
 endif()
+
+if(TARGET wellstrat_cli)
+  add_executable(questions golden_questions.cpp host.cpp questions.cpp)
+  target_link_libraries(questions PRIVATE wellstrat::wellstrat Threads::Threads)
+  add_test(NAME gpu.browser COMMAND Python3::Interpreter -B -m unittest -v test_browser
+           WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  set_tests_properties(gpu.browser PROPERTIES TIMEOUT 300 LABELS gpu ENVIRONMENT
+    "WELLSTRAT=$<TARGET_FILE:wellstrat_cli>;WELLSTRAT_QUESTIONS=$<TARGET_FILE:questions>")
+endif()
