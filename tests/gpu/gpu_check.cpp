@@ -20,9 +20,9 @@ namespace gpu_check {
 namespace {
 
 constexpr const char* kKindNames[kKinds] = {
-    "sample",    "random",   "joint",  "long",       "long slot",    "blue",
-    "blue slot", "sequence", "table",  "hash",       "domain",       "distrib",
-    "split",     "camera",   "seeded", "blue split", "blue distrib", "blue camera"};
+    "sample",   "random",     "joint",        "long",        "long slot", "blue",   "blue slot",
+    "sequence", "table",      "hash",         "domain",      "distrib",   "split",  "camera",
+    "seeded",   "blue split", "blue distrib", "blue camera", "order",     "no slot"};
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

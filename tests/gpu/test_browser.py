@@ -101,6 +101,10 @@ class BrowserTest(unittest.TestCase):
     def test_glsl_es(self):
         self.assert_all_agree(self.ask("webgl", "answer.frag", "--use-angle=swiftshader"))
 
+    def test_wgsl(self):
+        self.assert_all_agree(self.ask("webgpu", "answer.wgsl", "--enable-unsafe-webgpu",
+                                       "--use-webgpu-adapter=swiftshader"))
+
 
 if __name__ == "__main__":
     unittest.main()

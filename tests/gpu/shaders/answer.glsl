@@ -61,5 +61,7 @@ uvec3 answer(WELLSTRAT_PARAMETER uint kind, uint a0, uint a1, uint a2, uint a3, 
     if (kind == 14u) return answerContext(wellstratCameraContext(int(a0), int(a1), a2, a3, a4));
     if (kind == 15u) return answerContext(wellstratNewBlueDomainSplit(context, a2, a3));
     if (kind == 16u) return answerContext(wellstratNewBlueDomainDistrib(context, a2, a3));
-    return answerContext(wellstratBlueContext(int(a0), int(a1), a2, a3));
+    if (kind == 17u) return answerContext(wellstratBlueContext(int(a0), int(a1), a2, a3));
+    if (kind == 18u) return answerContext(wellstratDeriveOrder(context, a2, a3));
+    return answerSample(WELLSTRAT_ARGUMENT 4u, context, uvec2(a2, a3));
 }
