@@ -48,6 +48,7 @@ if(TARGET wellstrat_cli)
   target_link_libraries(questions PRIVATE wellstrat::wellstrat Threads::Threads)
   add_test(NAME gpu.browser COMMAND Python3::Interpreter -B -m unittest -v test_browser
            WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
-  set_tests_properties(gpu.browser PROPERTIES TIMEOUT 300 LABELS gpu ENVIRONMENT
+  # A browser is the same for all compilers: one preset is enough.
+  set_tests_properties(gpu.browser PROPERTIES TIMEOUT 300 LABELS gpu_code ENVIRONMENT
     "WELLSTRAT=$<TARGET_FILE:wellstrat_cli>;WELLSTRAT_QUESTIONS=$<TARGET_FILE:questions>")
 endif()
