@@ -17,6 +17,8 @@ endif()
 install(TARGETS ${installed_libraries} EXPORT wellstratTargets)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
   FILES_MATCHING PATTERN "*.h" ${headers_left_out})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/wellstrat/shaders
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wellstrat)
 install(FILES ${PROJECT_BINARY_DIR}/include/wellstrat/version.h
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/wellstrat)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -9,6 +9,8 @@
 //     // `const DeviceTables* tables` and calls, for example,
 //     const Float2 xi = sample2D(tables->words, sc.patternid, sc.sampleid);
 //
+// Shaders (wellstrat/shaders) read the same block as words of 32 bits.
+//
 // docs/gpu.md has all the calls, and examples/gpu a program. Nothing here needs a GPU: the block is
 // as good on the host, and its parts are those that the host's draws read.
 

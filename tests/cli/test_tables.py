@@ -62,6 +62,12 @@ class TablesTest(CliTest):
             expected = [(word % 2**32) & 0xFFFFFF00 for word in (point, point >> 32, z[place])]
             self.assertEqual(list(values[start:start + 3]), expected)
 
+    def test_what_devices_look_up_ends_with_the_words(self):
+        device = words(self.export("device.bin", "--layout", "device"))
+        computed = words(self.export("computed.bin", "--layout", "computed"))
+        self.assertEqual(len(computed), 17668)  # WELLSTRAT_XY of wellstrat.glsl
+        self.assert_same(device, computed + words(self.export("words.bin", "--layout", "words")))
+
     @unittest.skipUnless(shutil.which("cc"), "no C compiler")
     def test_header_is_plain_c(self):
         """The first and last tables only: a compiler takes long over all of them."""

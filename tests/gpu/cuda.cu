@@ -29,7 +29,7 @@ __global__ void addDigests(const DeviceTables* tables, Kind kind, uint32_t count
 cudaDeviceProp firstGpu() {
     int count = 0;
     if (cudaGetDeviceCount(&count) != cudaSuccess || count == 0) {
-        throw std::runtime_error("there is no GPU that CUDA can use");
+        throw NoDevice("there is no GPU that CUDA can use");
     }
     cudaDeviceProp properties;
     require(cudaGetDeviceProperties(&properties, 0), "cannot ask the GPU");

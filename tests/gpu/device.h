@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,10 @@ struct Rate {
 /// All functions throw std::runtime_error if the device fails.
 class Device {
 public:
+    Device() = default;
     virtual ~Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
 
     virtual std::string name() const = 0;
     virtual std::vector<Answer> answers(const std::vector<Question>& questions) const = 0;
@@ -38,8 +42,14 @@ public:
 /// This processor with all its threads.
 std::unique_ptr<Device> makeHost();
 
-/// What is checked: the first GPU, or in a build without CUDA this processor again. Throws
-/// std::runtime_error if there is no GPU.
+/// There is nothing to check on this machine.
+class NoDevice : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// What is checked: the first device that CUDA, Vulkan or OpenCL finds, or in a build without them
+/// this processor again. Throws NoDevice if there is none.
 std::unique_ptr<Device> makeChecked();
 
 } // namespace gpu_check

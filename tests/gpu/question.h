@@ -37,8 +37,10 @@ enum class Kind : uint32_t {
     blueSplit,
     blueDistrib,
     blueCamera,
+    order,  ///< the slot and the splits of a domain, from those of its parent, a scramble, a split
+    noSlot, ///< a sample of `long` of a slot out of range, which shaders take as none
 };
-constexpr uint32_t kKinds = static_cast<uint32_t>(Kind::blueCamera) + 1;
+constexpr uint32_t kKinds = static_cast<uint32_t>(Kind::noSlot) + 1;
 
 struct Question {
     Kind kind;
@@ -85,6 +87,7 @@ WELLSTRAT_HOST_DEVICE inline Answer sampleAnswer(const DeviceTables& t, const Qu
                      jointSample2D(t.words, t.jointOrders, a[0], a[1], a[2], a[3]),
                      jointSample3D(t.words, t.jointOrders, a[0], a[1], a[2], a[3]));
     case Kind::longSample:
+    case Kind::noSlot:
         return drawn(sequenceSample1D(a[0], a[1]), sequenceSample2D(a[0], a[1]),
                      sequenceSample3D(a[0], a[1]));
     case Kind::longSlot:
@@ -126,6 +129,11 @@ WELLSTRAT_HOST_DEVICE inline Answer answer(const DeviceTables& t, const Question
     case Kind::blueSplit: return context(newBlueDomainSplit(parent, scramble, a[3]));
     case Kind::blueDistrib: return context(newBlueDomainDistrib(parent, scramble, a[3]));
     case Kind::blueCamera: return context(blueContext(x, y, a[2], a[3]));
+    case Kind::order: {
+        const Order outer{static_cast<uint16_t>(a[0]), static_cast<uint16_t>(a[1])};
+        const Order child = deriveOrder(outer, scramble, a[3]);
+        return {{child.slot, child.splits, 0}};
+    }
     default: return sampleAnswer(t, question);
     }
 }
@@ -143,6 +151,21 @@ WELLSTRAT_HOST_DEVICE inline Question randomQuestion(Kind kind, uint32_t number)
         a[2] %= wellstrat::kJointSlots;
         a[3] = (a[3] & 1u) != 0 ? 1 : 1 + (a[3] >> 1) % wellstrat::kMaxJointSplit;
     }
+    if (kind == Kind::order) {
+        a[0] %= wellstrat::kJointSlots + 1;
+        a[1] = a[4] % (wellstrat::kMaxJointSplit + 1);
+        a[2] = wellstrat::detail::kJointScramble + a[2] % (wellstrat::kJointSlots + 2);
+        a[3] = (a[3] & 1u) != 0 ? a[3] >> (a[4] & 31u) : a[3] % 4;
+    }
+    if (kind == Kind::noSlot) { // one of the two is in range
+        if ((a[4] >> 5 & 1u) != 0) {
+            a[2] = wellstrat::kJointSlots + a[2] / 2;
+            a[3] = 1 + a[3] % wellstrat::kMaxJointSplit;
+        } else {
+            a[2] %= wellstrat::kJointSlots;
+            a[3] = (a[3] & 1u) != 0 ? 0 : wellstrat::kMaxJointSplit + 1 + a[3] / 2;
+        }
+    }
     if (kind == Kind::tablePoint) {
         a[0] %= wellstrat::kTableCount;
         a[1] %= wellstrat::kTableSize;
@@ -150,17 +173,20 @@ WELLSTRAT_HOST_DEVICE inline Question randomQuestion(Kind kind, uint32_t number)
     return question;
 }
 
-/// A word that depends on the question and on every bit of the answer. Sums of these are the same
-/// in any order of the questions.
-WELLSTRAT_HOST_DEVICE inline uint64_t digest(const DeviceTables& tables, Kind kind,
-                                             uint32_t number) {
-    const Answer result = answer(tables, randomQuestion(kind, number));
+/// A word that depends on the number of a question and on every bit of the answer. Sums of these
+/// are the same in any order of the questions.
+WELLSTRAT_HOST_DEVICE inline uint64_t digestOf(const Answer& result, uint32_t number) {
     uint64_t hash = number;
     for (const uint32_t word : result.words) {
         hash = (hash ^ word) * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio
         hash ^= hash >> 32;
     }
     return hash;
+}
+
+WELLSTRAT_HOST_DEVICE inline uint64_t digest(const DeviceTables& tables, Kind kind,
+                                             uint32_t number) {
+    return digestOf(answer(tables, randomQuestion(kind, number)), number);
 }
 
 } // namespace gpu_check

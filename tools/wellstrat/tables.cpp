@@ -2,7 +2,7 @@
 //
 // wellstrat tables: exports the tables for other renderers.
 
-#include "wellstrat/tables.h"
+#include "wellstrat/device_tables.h"
 
 #include "commands.h"
 #include "common/command_line/errors.h"
@@ -17,6 +17,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace wellstrat::cli {
 namespace {
@@ -32,8 +33,9 @@ float32 values are the same fractions in [0, 1).
 
 With --layout they are what draws in GPU kernels read, uint32 words in the order of memory (.npy
 with one axis, or .bin): 'xy' has 384 x 4096 words for 2D draws, each of which stands for x and y
-of a point, 'z' as many for 1D draws, and 'words' the former and then the latter. docs/gpu.md says
-how to read them.
+of a point, 'z' as many for 1D draws, and 'words' the former and then the latter. 'device' is all
+that kernels and shaders of any generator look up, DeviceTables of wellstrat/device_tables.h, and
+'computed' its beginning, which is enough for long and blue. docs/gpu.md says how to read them.
 
 Examples:
   wellstrat tables --export tables.npy
@@ -105,17 +107,29 @@ void writeHeader(OutputFile& out, bool floats) {
 }
 
 /// The words of a layout, as they are in memory.
+std::vector<uint32_t> wordsOf(const std::string& layout) {
+    const auto part = [](DeviceDraws draws) {
+        std::vector<uint32_t> words(deviceTableBytes(draws) / sizeof(uint32_t));
+        copyDeviceTables(words.data(), draws);
+        return words;
+    };
+    const uint32_t* const words = tables();
+    if (layout == "words") return {words, words + 2 * kTablePoints};
+    if (layout == "xy") return {words, words + kTablePoints};
+    if (layout == "z") return {words + kTablePoints, words + 2 * kTablePoints};
+    if (layout == "device") return part(DeviceDraws::all);
+    if (layout == "computed") return part(DeviceDraws::computed);
+    throw CliError(
+        fmt::format("--layout: neither words, xy, z, device nor computed: '{}'", layout));
+}
+
 void exportWords(const std::string& path, const std::string& layout) {
-    if (layout != "words" && layout != "xy" && layout != "z") {
-        throw CliError(fmt::format("--layout: neither words, xy nor z: '{}'", layout));
-    }
+    const std::vector<uint32_t> words = wordsOf(layout);
     const std::string suffix = requireSuffix("--export", path, {".npy", ".bin"});
-    const uint32_t first = layout == "z" ? kTablePoints : 0;
-    const uint32_t end = layout == "xy" ? kTablePoints : 2 * kTablePoints;
     OutputFile out(path);
-    if (suffix == ".npy") out.write(npyHeader("<u4", {end - first}));
+    if (suffix == ".npy") out.write(npyHeader("<u4", {words.size()}));
     Buffer buffer;
-    for (uint32_t i = first; i < end; ++i) appendLittleEndian(buffer, tables()[i]);
+    for (const uint32_t word : words) appendLittleEndian(buffer, word);
     out.write({buffer.data(), buffer.size()});
     out.commit();
 }
@@ -150,7 +164,7 @@ void addTables(CLI::App& app, int& /*exitCode*/) {
         ->required();
     auto* const typeOption =
         command->add_option("--type", *type, "uint32 or float32 [uint32]")->type_name("NAME");
-    command->add_option("--layout", *layout, "What kernels read: words, xy or z")
+    command->add_option("--layout", *layout, "What kernels read: words, xy, z, device or computed")
         ->type_name("NAME")
         ->excludes(typeOption);
     command->footer(kExamples);
