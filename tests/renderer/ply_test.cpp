@@ -46,7 +46,7 @@ TEST(Ply, IsRead) {
     const Scene scene = readPly(ply(std::string(kVertices) + kFace, kValues));
     expectTriangle(scene);
     EXPECT_TRUE(scene.cameraIsAutomatic);
-    EXPECT_TRUE(scene.environment);
+    EXPECT_FALSE(scene.environment); // tools add light to what has none
 }
 
 TEST(Ply, EndsOfLinesAndComments) {

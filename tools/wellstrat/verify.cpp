@@ -153,7 +153,7 @@ void addVerify(CLI::App& app, int& exitCode) {
         ->type_name("RANGE");
     addNumber(
         *command, "--patterns", options->patterns, {0, kMaxWord},
-        "How many random patterns, of long and blue too, to check beside some special ones [1000]");
+        "How many random patterns of each generator, beside some special ones [1000]");
     command->add_flag("--json", options->json, "Print the certificate as JSON");
     command->footer(kExamples);
     command->callback([options, &exitCode] { exitCode = verify(*options); });
