@@ -151,9 +151,8 @@ void addVerify(CLI::App& app, int& exitCode) {
     const auto options = std::make_shared<VerifyOptions>();
     command->add_option("--tables", options->tables, "The tables to check: all or A..B [all]")
         ->type_name("RANGE");
-    addNumber(
-        *command, "--patterns", options->patterns, {0, kMaxWord},
-        "How many random patterns of each generator, beside some special ones [1000]");
+    addNumber(*command, "--patterns", options->patterns, {0, kMaxWord},
+              "How many random patterns of each generator, beside some special ones [1000]");
     command->add_flag("--json", options->json, "Print the certificate as JSON");
     command->footer(kExamples);
     command->callback([options, &exitCode] { exitCode = verify(*options); });
