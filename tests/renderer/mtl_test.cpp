@@ -180,7 +180,7 @@ TEST(Mtl, SaysWhatIsLeftOut) {
         EXPECT_TRUE(hasNote(scene, what)) << what;
     EXPECT_TRUE(materialOf(scene).baseColorTexture);
     const Scene silent = readMtl(folder, "Ka 1 1 1\nillum 2\nNi 1\nTf 1 1 1\nPc 0\naniso 0.0\n");
-    EXPECT_EQ(silent.notes.size(), 2u); // no light, no camera
+    EXPECT_EQ(silent.notes.size(), 1u); // no camera
 }
 
 TEST(Mtl, NumbersOutOfRange) {

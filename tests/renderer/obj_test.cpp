@@ -104,7 +104,7 @@ Float3 colorOf(const std::string& obj) {
     folder.write("one.mtl", "newmtl a\nKd 1 0 0\nnewmtl b c\nKd 0 1 0\n");
     folder.write("two more.mtl", "newmtl a\nKd 0 0 0\nnewmtl d#1\nKd 0 0 1 # blue\n");
     const Scene scene = readScene(folder.write("scene.obj", obj + kTriangle));
-    EXPECT_EQ(scene.notes.size(), 2u) << obj << scene.notes.at(0); // no light, no camera
+    EXPECT_EQ(scene.notes.size(), 1u) << obj << scene.notes.at(0); // no camera
     return scene.materials[scene.meshes.at(0).material].baseColor;
 }
 
