@@ -152,7 +152,7 @@ void addVerify(CLI::App& app, int& exitCode) {
     command->add_option("--tables", options->tables, "The tables to check: all or A..B [all]")
         ->type_name("RANGE");
     addNumber(*command, "--patterns", options->patterns, {0, kMaxWord},
-              "Random patterns of each generator, to check beside some special ones [1000]");
+              "Random patterns of each generator, beside some special ones [1000]");
     command->add_flag("--json", options->json, "Print the certificate as JSON");
     command->footer(kExamples);
     command->callback([options, &exitCode] { exitCode = verify(*options); });
