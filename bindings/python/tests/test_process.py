@@ -102,7 +102,8 @@ def test_the_interpreter_exits_while_threads_draw():
 
 def test_interrupts_end_long_draws():
     assert run("""
-        import _thread, threading, time, wellstrat
+        import _thread, signal, threading, time, wellstrat
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may ignore it
         threading.Timer(0.2, _thread.interrupt_main).start()
         start = time.perf_counter()
         try:
@@ -114,7 +115,8 @@ def test_interrupts_end_long_draws():
 
 def test_interrupts_end_long_measures():
     assert run("""
-        import _thread, threading, time, numpy, wellstrat
+        import _thread, signal, threading, time, numpy, wellstrat
+        signal.signal(signal.SIGINT, signal.default_int_handler)
         points = numpy.random.default_rng(1).random((2**16, 6))
         threading.Timer(0.2, _thread.interrupt_main).start()
         start = time.perf_counter()
@@ -127,7 +129,8 @@ def test_interrupts_end_long_measures():
 
 def test_interrupts_end_studies():
     assert run("""
-        import _thread, threading, time, wellstrat
+        import _thread, signal, threading, time, wellstrat
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may ignore it
         threading.Timer(0.2, _thread.interrupt_main).start()
         start = time.perf_counter()
         try:
