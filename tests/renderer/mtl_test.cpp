@@ -2,7 +2,7 @@
 //
 // Material libraries of OBJ files.
 
-#include "scene_files.h"
+#include "obj_files.h"
 
 #include <gtest/gtest.h>
 
@@ -11,29 +11,11 @@
 namespace wellstrat::render {
 namespace {
 
-constexpr auto kObj = R"(mtllib scene.mtl
-v 0 0 0
-v 1 0 0
-v 1 1 0
-v 0 1 0
-vt 0 0
-vt 1 0
-vt 1 1
-vt 0 1
-usemtl first
-f 1/1 2/2 3/3 4/4
-)";
-
-Scene readMtl(const TempFolder& folder, const std::string& material) {
-    folder.write("scene.mtl", "newmtl first\n" + material);
-    return readScene(folder.write("scene.obj", kObj));
-}
-
 Material materialOf(const Scene& scene) { return scene.materials[scene.meshes.at(0).material]; }
 
 Material materialFrom(const std::string& text) {
     const TempFolder folder;
-    return materialOf(readMtl(folder, text));
+    return materialOf(readSquareObj(folder, text));
 }
 
 /// The color at coordinates of the file, from its lower left corner.
@@ -71,12 +53,12 @@ TEST(Mtl, OpacityOfPictures) {
     const TempFolder folder;
     writePicture<uint8_t>(folder, "alpha.png", 1, 1, 4, {255, 255, 255, 51});
     writePicture<uint8_t>(folder, "gray.png", 1, 1, 1, {102});
-    Material material = materialOf(readMtl(folder, "map_Kd alpha.png\n"));
+    Material material = materialOf(readSquareObj(folder, "map_Kd alpha.png\n"));
     EXPECT_EQ(material.alpha, Material::Alpha::opaque);
     expectNear(colorAt(material.baseColorTexture, 0, 0), Float3(1.0f));
     for (const auto& [name, opacity] :
          {std::pair("alpha.png", 0.2f), std::pair("gray.png", 0.4f)}) {
-        material = materialOf(readMtl(folder, std::string("map_d ") + name + "\n"));
+        material = materialOf(readSquareObj(folder, std::string("map_d ") + name + "\n"));
         EXPECT_EQ(material.alpha, Material::Alpha::blend);
         expectNear(colorAt(material.opacityTexture, 0, 0), Float3(opacity));
     }
@@ -87,7 +69,8 @@ TEST(Mtl, ScaleAndOffset) {
     const TempFolder folder;
     writeColors(folder, "colors.png");
     const auto mapOf = [&](const std::string& options) {
-        return materialOf(readMtl(folder, "map_Kd " + options + " colors.png\n")).baseColorTexture;
+        return materialOf(readSquareObj(folder, "map_Kd " + options + " colors.png\n"))
+            .baseColorTexture;
     };
     const TextureMap plain = mapOf("");
     expectNear(colorAt(plain, 0.25f, 0.75f), {1, 0, 0});
@@ -107,8 +90,8 @@ TEST(Mtl, ClampedTexturesDoNotRepeat) {
     writeColors(folder, "colors.png");
     for (const auto& [options, color] :
          {std::pair("-clamp on", Float3(0, 1, 0)), std::pair("-clamp off", Float3(1, 0, 0))}) {
-        const Scene scene =
-            readMtl(folder, std::string("map_Kd -blendu on ") + options + " -s 1 colors.png\n");
+        const Scene scene = readSquareObj(folder, std::string("map_Kd -blendu on ") + options +
+                                                      " -s 1 colors.png\n");
         expectNear(colorAt(materialOf(scene).baseColorTexture, 1.25f, 0.75f), color);
     }
 }
@@ -119,7 +102,7 @@ TEST(Mtl, NamesOfPictures) {
     for (const char* const name : {"a b.png", "-1.png", "sub/c.png"}) writeColors(folder, name);
     for (const char* const name :
          {"a b.png", "\"a b.png\"", "a b.png # comment", "-s 1 1 1 -1.png", "sub\\c.png"}) {
-        const Scene scene = readMtl(folder, std::string("map_Kd ") + name + "\n");
+        const Scene scene = readSquareObj(folder, std::string("map_Kd ") + name + "\n");
         EXPECT_TRUE(materialOf(scene).baseColorTexture) << name;
     }
 }
@@ -140,12 +123,12 @@ TEST(Mtl, MetallicRoughness) {
     const TempFolder folder;
     writePicture<uint8_t>(folder, "roughness.png", 1, 2, 1, {51, 102});
     writePicture<uint8_t>(folder, "metallic.png", 2, 1, 1, {153, 204});
-    const Material numbers = materialOf(readMtl(folder, "Pr 0.3\nPm 0.7\nNi 1.5\n"));
+    const Material numbers = materialOf(readSquareObj(folder, "Pr 0.3\nPm 0.7\nNi 1.5\n"));
     EXPECT_EQ(numbers.roughness, 0.3f);
     EXPECT_EQ(numbers.metallic, 0.7f);
     EXPECT_NEAR(numbers.specularF0, 0.04f, 1e-6f);
     const Material both =
-        materialOf(readMtl(folder, "map_Pr roughness.png\nmap_Pm metallic.png\n"));
+        materialOf(readSquareObj(folder, "map_Pr roughness.png\nmap_Pm metallic.png\n"));
     EXPECT_EQ(both.roughness, 1.0f);
     EXPECT_EQ(both.metallic, 1.0f);
     const Texture& texture = *both.metallicRoughnessTexture.texture;
@@ -153,7 +136,7 @@ TEST(Mtl, MetallicRoughness) {
     EXPECT_NEAR(texture.pixel(1, 1).y, 0.4f, 1e-5f);
     EXPECT_NEAR(texture.pixel(0, 1).z, 0.6f, 1e-5f);
     EXPECT_NEAR(texture.pixel(1, 0).z, 0.8f, 1e-5f);
-    const Material alone = materialOf(readMtl(folder, "Pm 0.5\nmap_Pr roughness.png\n"));
+    const Material alone = materialOf(readSquareObj(folder, "Pm 0.5\nmap_Pr roughness.png\n"));
     EXPECT_NEAR(alone.metallicRoughnessTexture.texture->pixel(0, 0).z, 1.0f, 1e-6f);
     EXPECT_EQ(alone.metallic, 0.5f);
 }
@@ -162,7 +145,7 @@ TEST(Mtl, NormalAndEmissionMaps) {
     const TempFolder folder;
     writeColors(folder, "colors.png");
     const Material material =
-        materialOf(readMtl(folder, "norm -bm 0.5 colors.png\nmap_Ke colors.png\n"));
+        materialOf(readSquareObj(folder, "norm -bm 0.5 colors.png\nmap_Ke colors.png\n"));
     expectNear(colorAt(material.normalTexture, 0.25f, 0.75f), {1, 0, 0});
     EXPECT_EQ(material.normalScale, 0.5f);
     expectNear(material.emission, Float3(1.0f));
@@ -172,20 +155,22 @@ TEST(Mtl, NormalAndEmissionMaps) {
 TEST(Mtl, SaysWhatIsLeftOut) {
     const TempFolder folder;
     writeColors(folder, "colors.png");
-    const Scene scene = readMtl(folder,
-                                "Kd spectral steel.rfl\nKs 0.1 x\nNs many\nmap_Ks colors.png\n"
-                                "bump colors.png\nmap_Kd -mm 0 2 -imfchan r colors.png\nPc 1\n");
+    const Scene scene =
+        readSquareObj(folder,
+                      "Kd spectral steel.rfl\nKs 0.1 x\nNs many\nmap_Ks colors.png\n"
+                      "bump colors.png\nmap_Kd -mm 0 2 -imfchan r colors.png\nPc 1\n");
     for (const char* const what : {"'Kd spectral steel.rfl'", "'Ns many'", "'map_Ks'", "'bump'",
                                    "'-mm'", "'-imfchan'", "'Pc'"})
         EXPECT_TRUE(hasNote(scene, what)) << what;
     EXPECT_TRUE(materialOf(scene).baseColorTexture);
-    const Scene silent = readMtl(folder, "Ka 1 1 1\nillum 2\nNi 1\nTf 1 1 1\nPc 0\naniso 0.0\n");
+    const Scene silent =
+        readSquareObj(folder, "Ka 1 1 1\nillum 2\nNi 1\nTf 1 1 1\nPc 0\naniso 0.0\n");
     EXPECT_EQ(silent.notes.size(), 1u); // no camera
 }
 
 TEST(Mtl, NumbersOutOfRange) {
     const TempFolder folder;
-    const Scene scene = readMtl(folder, "Kd 2 0.5 -1\nKe -1 nan 3\nd 7\n");
+    const Scene scene = readSquareObj(folder, "Kd 2 0.5 -1\nKe -1 nan 3\nd 7\n");
     expectNear(materialOf(scene).baseColor, {1, 0.5f, 0});
     EXPECT_EQ(materialOf(scene).alpha, Material::Alpha::opaque);
     EXPECT_TRUE(hasNote(scene, "outside [0, 1]"));

@@ -2,7 +2,7 @@
 //
 // OBJ files, and other formats without materials.
 
-#include "scene_files.h"
+#include "obj_files.h"
 
 #include <gtest/gtest.h>
 
@@ -14,29 +14,11 @@
 namespace wellstrat::render {
 namespace {
 
-constexpr auto kObj = R"(mtllib scene.mtl
-v 0 0 0
-v 1 0 0
-v 1 1 0
-v 0 1 0
-vt 0 0
-vt 1 0
-vt 1 1
-vt 0 1
-usemtl first
-f 1/1 2/2 3/3 4/4
-)";
-
 constexpr auto kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-
-Scene readObj(const TempFolder& folder, const std::string& material) {
-    folder.write("scene.mtl", "newmtl first\n" + material);
-    return readScene(folder.write("scene.obj", kObj));
-}
 
 TEST(Obj, PolygonsBecomeTriangles) {
     const TempFolder folder;
-    const Scene scene = readObj(folder, "Kd 0.1 0.2 0.3\n");
+    const Scene scene = readSquareObj(folder, "Kd 0.1 0.2 0.3\n");
     ASSERT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.meshes[0].triangles.size(), 2u);
     const Material& material = scene.materials[scene.meshes[0].material];
@@ -47,7 +29,7 @@ TEST(Obj, PolygonsBecomeTriangles) {
 
 TEST(Obj, EmissiveMaterialsAreLights) {
     const TempFolder folder;
-    const Scene scene = readObj(folder, "Kd 0 0 0\nKe 10 20 30\n");
+    const Scene scene = readSquareObj(folder, "Kd 0 0 0\nKe 10 20 30\n");
     expectNear(scene.materials[scene.meshes[0].material].emission, {10, 20, 30});
     EXPECT_FALSE(scene.environment);
 }
@@ -55,14 +37,14 @@ TEST(Obj, EmissiveMaterialsAreLights) {
 // MTL cannot say it, and the winding of OBJ files is often the other one.
 TEST(Obj, MaterialsEmitOnBothSides) {
     const TempFolder folder;
-    const Scene scene = readObj(folder, "Kd 0 0 0\nKe 10 20 30\n");
+    const Scene scene = readSquareObj(folder, "Kd 0 0 0\nKe 10 20 30\n");
     EXPECT_TRUE(scene.materials[scene.meshes[0].material].doubleSided);
 }
 
 // Walter et al. 2007: alpha = sqrt(2 / (n + 2)); the roughness is its root.
 TEST(Obj, PhongExponents) {
     const TempFolder folder;
-    const Scene scene = readObj(folder, "Kd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nNs 198\n");
+    const Scene scene = readSquareObj(folder, "Kd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nNs 198\n");
     const Material& material = scene.materials[scene.meshes[0].material];
     EXPECT_NEAR(material.roughness, std::sqrt(0.1f), 1e-5f);
     EXPECT_NEAR(material.specularF0, 0.04f, 1e-6f);
@@ -70,7 +52,7 @@ TEST(Obj, PhongExponents) {
 
 TEST(Obj, OnlySpecularIsMetal) {
     const TempFolder folder;
-    const Scene scene = readObj(folder, "Kd 0 0 0\nKs 0.9 0.6 0.3\nNs 1000\n");
+    const Scene scene = readSquareObj(folder, "Kd 0 0 0\nKs 0.9 0.6 0.3\nNs 1000\n");
     const Material& material = scene.materials[scene.meshes[0].material];
     expectNear(material.baseColor, {0.9f, 0.6f, 0.3f});
     EXPECT_EQ(material.metallic, 1.0f);
@@ -80,7 +62,7 @@ TEST(Obj, TexturesStandUpright) {
     const TempFolder folder;
     std::filesystem::create_directory(folder.path("pictures"));
     writeColors(folder, "pictures/colors.png");
-    const Scene scene = readObj(folder, "Kd 1 1 1\nmap_Kd pictures\\colors.png\n");
+    const Scene scene = readSquareObj(folder, "Kd 1 1 1\nmap_Kd pictures\\colors.png\n");
     const Mesh& mesh = scene.meshes.at(0);
     ASSERT_TRUE(scene.materials[mesh.material].baseColorTexture) << scene.notes.at(0);
     expectNear(textureAt(scene, mesh, {0, 1, 0}), {1, 0, 0});
@@ -90,7 +72,7 @@ TEST(Obj, TexturesStandUpright) {
 
 TEST(Obj, MissingLibrariesAndMaterialsAreSaid) {
     const TempFolder folder;
-    const Scene scene = readScene(folder.write("scene.obj", kObj));
+    const Scene scene = readScene(folder.write("scene.obj", kSquareObj));
     expectNear(scene.materials[scene.meshes.at(0).material].baseColor, Float3(0.8f));
     EXPECT_TRUE(hasNote(scene, "The material library 'scene.mtl' is left out: no such file."));
     EXPECT_TRUE(hasNote(scene, "Materials that no library has are light gray: 'first'."));
@@ -157,7 +139,7 @@ TEST(Obj, VerticesMayFollowTheirFaces) {
 }
 
 TEST(Obj, CornersThatAreEqualAreOneVertex) {
-    const Mesh mesh = meshOf(kObj);
+    const Mesh mesh = meshOf(kSquareObj);
     EXPECT_EQ(mesh.positions.size(), 4u);
     EXPECT_EQ(mesh.uvs.size(), 4u);
     EXPECT_EQ(meshOf("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 1\n"
