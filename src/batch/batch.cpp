@@ -32,6 +32,51 @@ const Kernels* kernelsAt(unsigned index) {
 /// The kernels of a draw do not write to the contexts when the step is 0.
 SampleCtx* readOnly(const SampleCtx* contexts) { return const_cast<SampleCtx*>(contexts); }
 
+/// Samples from the tables by one of the kernels, after which `step` is added to each sampleid.
+/// `function` is named where an array is too small.
+template <typename Sample>
+void drawFromTables(const char* function,
+                    void (*Kernels::*kernel)(std::size_t, const uint32_t*, SampleCtx*, unsigned,
+                                             Sample*),
+                    std::size_t n, ArrayArgument<SampleCtx> contexts, unsigned step,
+                    ArrayArgument<Sample> xis) {
+    if (n == 0) return;
+    (chosenKernels().*kernel)(n, tables(), contexts.first(n, function), step,
+                              xis.first(n, function));
+}
+
+/// The same in a domain of this order, by the kernel for padded ones or that for slots.
+template <typename Sample>
+void drawJoint(const char* function,
+               void (*Kernels::*padded)(std::size_t, const uint32_t*, SampleCtx*, unsigned,
+                                        Sample*),
+               void (*Kernels::*slot)(std::size_t, const uint32_t*, const SampleCtx*, unsigned,
+                                      unsigned, Sample*),
+               std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+               ArrayArgument<Sample> xis) {
+    if (!detail::hasSlot(order)) {
+        return drawFromTables<Sample>(function, padded, n, readOnly(contexts.first(n, function)), 0,
+                                      xis);
+    }
+    if (n == 0) return;
+    (chosenKernels().*slot)(n, tables(), contexts.first(n, function), order.slot, order.splits,
+                            xis.first(n, function));
+}
+
+/// Samples of a computed sequence, or their bits, by one of the kernels. `function` is named where
+/// an array is too small.
+template <typename Result>
+void drawComputed(const char* function,
+                  void (*Kernels::*kernel)(std::size_t, const SampleCtx*, unsigned, unsigned,
+                                           Result*),
+                  std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+                  ArrayArgument<Result> results) {
+    detail::checkOrder(order);
+    if (n == 0) return;
+    (chosenKernels().*kernel)(n, contexts.first(n, function), order.slot, order.splits,
+                              results.first(n, function));
+}
+
 /// All bits of the samples, by kBits of a point and its seed.
 template <auto kBits, typename Bits>
 void drawBlueBits(std::size_t n, const SampleCtx* contexts, Order order, Bits* bits) {
@@ -76,142 +121,91 @@ bool forceBatchTarget(const char* name) {
 
 void drawSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
                    ArrayArgument<float> xis) {
-    if (n == 0) return;
-    chosenKernels().draw1D(n, tables(), readOnly(contexts.first(n, __func__)), 0,
-                           xis.first(n, __func__));
+    drawFromTables(__func__, &Kernels::draw1D, n, readOnly(contexts.first(n, __func__)), 0, xis);
 }
 
 void drawSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
                    ArrayArgument<Float2> xis) {
-    if (n == 0) return;
-    chosenKernels().draw2D(n, tables(), readOnly(contexts.first(n, __func__)), 0,
-                           xis.first(n, __func__));
+    drawFromTables(__func__, &Kernels::draw2D, n, readOnly(contexts.first(n, __func__)), 0, xis);
 }
 
 void drawSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts,
                    ArrayArgument<Float3> xis) {
-    if (n == 0) return;
-    chosenKernels().draw3D(n, tables(), readOnly(contexts.first(n, __func__)), 0,
-                           xis.first(n, __func__));
+    drawFromTables(__func__, &Kernels::draw3D, n, readOnly(contexts.first(n, __func__)), 0, xis);
 }
 
 void generateSamples1D(std::size_t n, ArrayArgument<SampleCtx> contexts, ArrayArgument<float> xis) {
-    if (n == 0) return;
-    chosenKernels().draw1D(n, tables(), contexts.first(n, __func__), 1, xis.first(n, __func__));
+    drawFromTables(__func__, &Kernels::draw1D, n, contexts, 1, xis);
 }
 
 void generateSamples2D(std::size_t n, ArrayArgument<SampleCtx> contexts,
                        ArrayArgument<Float2> xis) {
-    if (n == 0) return;
-    chosenKernels().draw2D(n, tables(), contexts.first(n, __func__), 1, xis.first(n, __func__));
+    drawFromTables(__func__, &Kernels::draw2D, n, contexts, 1, xis);
 }
 
 void generateSamples3D(std::size_t n, ArrayArgument<SampleCtx> contexts,
                        ArrayArgument<Float3> xis) {
-    if (n == 0) return;
-    chosenKernels().draw3D(n, tables(), contexts.first(n, __func__), 1, xis.first(n, __func__));
+    drawFromTables(__func__, &Kernels::draw3D, n, contexts, 1, xis);
 }
 
 void drawJointSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                         ArrayArgument<float> xis) {
-    if (!detail::hasSlot(order)) {
-        return drawSamples1D(n, contexts.first(n, __func__), xis.first(n, __func__));
-    }
-    if (n == 0) return;
-    chosenKernels().drawJoint1D(n, tables(), contexts.first(n, __func__), order.slot, order.splits,
-                                xis.first(n, __func__));
+    drawJoint(__func__, &Kernels::draw1D, &Kernels::drawJoint1D, n, contexts, order, xis);
 }
 
 void drawJointSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                         ArrayArgument<Float2> xis) {
-    if (!detail::hasSlot(order)) {
-        return drawSamples2D(n, contexts.first(n, __func__), xis.first(n, __func__));
-    }
-    if (n == 0) return;
-    chosenKernels().drawJoint2D(n, tables(), contexts.first(n, __func__), order.slot, order.splits,
-                                xis.first(n, __func__));
+    drawJoint(__func__, &Kernels::draw2D, &Kernels::drawJoint2D, n, contexts, order, xis);
 }
 
 void drawJointSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                         ArrayArgument<Float3> xis) {
-    if (!detail::hasSlot(order)) {
-        return drawSamples3D(n, contexts.first(n, __func__), xis.first(n, __func__));
-    }
-    if (n == 0) return;
-    chosenKernels().drawJoint3D(n, tables(), contexts.first(n, __func__), order.slot, order.splits,
-                                xis.first(n, __func__));
+    drawJoint(__func__, &Kernels::draw3D, &Kernels::drawJoint3D, n, contexts, order, xis);
 }
 
 void drawSequenceSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                            ArrayArgument<float> xis) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawSequence1D(n, contexts.first(n, __func__), order.slot, order.splits,
-                                   xis.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawSequence1D, n, contexts, order, xis);
 }
 
 void drawSequenceSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                            ArrayArgument<Float2> xis) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawSequence2D(n, contexts.first(n, __func__), order.slot, order.splits,
-                                   xis.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawSequence2D, n, contexts, order, xis);
 }
 
 void drawSequenceSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                            ArrayArgument<Float3> xis) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawSequence3D(n, contexts.first(n, __func__), order.slot, order.splits,
-                                   xis.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawSequence3D, n, contexts, order, xis);
 }
 
 void drawBlueSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                        ArrayArgument<float> xis) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawBlue1D(n, contexts.first(n, __func__), order.slot, order.splits,
-                               xis.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawBlue1D, n, contexts, order, xis);
 }
 
 void drawBlueSamples2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                        ArrayArgument<Float2> xis) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawBlue2D(n, contexts.first(n, __func__), order.slot, order.splits,
-                               xis.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawBlue2D, n, contexts, order, xis);
 }
 
 void drawBlueSamples3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                        ArrayArgument<Float3> xis) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawBlue3D(n, contexts.first(n, __func__), order.slot, order.splits,
-                               xis.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawBlue3D, n, contexts, order, xis);
 }
 
 void drawSequenceBits1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                         ArrayArgument<uint32_t> bits) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawSequenceBits1D(n, contexts.first(n, __func__), order.slot, order.splits,
-                                       bits.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawSequenceBits1D, n, contexts, order, bits);
 }
 
 void drawSequenceBits2D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                         ArrayArgument<Bits2> bits) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawSequenceBits2D(n, contexts.first(n, __func__), order.slot, order.splits,
-                                       bits.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawSequenceBits2D, n, contexts, order, bits);
 }
 
 void drawSequenceBits3D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
                         ArrayArgument<Bits3> bits) {
-    detail::checkOrder(order);
-    if (n == 0) return;
-    chosenKernels().drawSequenceBits3D(n, contexts.first(n, __func__), order.slot, order.splits,
-                                       bits.first(n, __func__));
+    drawComputed(__func__, &Kernels::drawSequenceBits3D, n, contexts, order, bits);
 }
 
 void drawBlueBits1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
