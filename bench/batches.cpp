@@ -2,31 +2,12 @@
 //
 // Batches of draws and of new domains, on each target.
 
-#include "scenarios.h"
-#include "wellstrat/c.h"
+#include "domains.h"
 
 namespace wellstrat {
 namespace {
 
 constexpr auto kScramble = static_cast<Scramble>(0x2d96c92bu);
-
-/// kDrawAll2D by the interface in C.
-constexpr auto kDrawAll2DInC = +[](const RixRNG& rng, RtFloat2* xis) {
-    const wellstrat_domain domain = {WELLSTRAT_PMJ, WELLSTRAT_NO_SLOT, 1};
-    const auto* contexts = reinterpret_cast<const wellstrat_context*>(rng.sampleCtxArray);
-    wellstrat_draw_samples_2d(domain, rng.numPts, contexts, &xis->x);
-};
-
-template <typename DrawAll>
-void addDraws(const std::string& name, const std::vector<int64_t>& sizes, Access access,
-              DrawAll draw) {
-    addBatches(name, sizes, [=](benchmark::State& state, Caches caches) {
-        const auto n = static_cast<std::size_t>(state.range(0));
-        std::vector<SampleCtx> contexts = makeContexts(n, access);
-        const RixRNG rng(contexts.data(), static_cast<unsigned>(n));
-        drawAll(state, caches, contexts, access, rng, draw);
-    });
-}
 
 /// What coherent draws with warm caches spend on stepping the contexts, to be subtracted by the
 /// reader.
@@ -69,15 +50,15 @@ void hashes(benchmark::State& state, Caches caches) {
 
 const Suite kSuite([] {
     const std::vector<int64_t> sizes = {16, 256, 4096, 65536};
+    const MakeDomain tables = cameraDomain();
     benchmark::RegisterBenchmark("step contexts", step)->Arg(4096);
-    addDraws("coherent 1D", sizes, Access::coherent, kDrawAll1D);
-    addDraws("coherent 2D", sizes, Access::coherent, kDrawAll2D);
-    addDraws("coherent 3D", sizes, Access::coherent, kDrawAll3D);
-    addDraws("random 1D", sizes, Access::random, kDrawAll1D);
-    addDraws("random 2D", sizes, Access::random, kDrawAll2D);
-    addDraws("random 3D", sizes, Access::random, kDrawAll3D);
-    addDraws("one pattern 2D", {4096}, Access::onePattern, kDrawAll2D);
-    addDraws("in C, coherent 2D", sizes, Access::coherent, kDrawAll2DInC);
+    addBatch("coherent 1D", sizes, Access::coherent, tables, kDrawAll1D);
+    addBatch("coherent 2D", sizes, Access::coherent, tables, kDrawAll2D);
+    addBatch("coherent 3D", sizes, Access::coherent, tables, kDrawAll3D);
+    addBatch("random 1D", sizes, Access::random, tables, kDrawAll1D);
+    addBatch("random 2D", sizes, Access::random, tables, kDrawAll2D);
+    addBatch("random 3D", sizes, Access::random, tables, kDrawAll3D);
+    addBatch("one pattern 2D", {4096}, Access::onePattern, tables, kDrawAll2D);
     addBatches("new domains", {4096}, derive);
     addBatches("new domains, draw 2D", {4096}, deriveThenDraw);
     addBatches("hash to random", {4096}, hashes);

@@ -7,13 +7,11 @@
 #include "wellstrat/blue.h"
 
 #include "count.h"
-#include "scenarios.h"
+#include "domains.h"
 
 namespace wellstrat {
 namespace {
 
-constexpr std::size_t kPoints = 1024;
-constexpr auto kPadded = static_cast<Scramble>(0x2d96c92bu);
 const BlueProgressive kBlue;
 
 std::vector<SampleCtx> makeBlueContexts(std::size_t n, Access access) {
@@ -26,38 +24,11 @@ std::vector<SampleCtx> makeBlueContexts(std::size_t n, Access access) {
     return contexts;
 }
 
-/// Makes a new domain of the contexts, at the sampleids that they have.
-RixRNG deriveFrom(std::vector<SampleCtx>& contexts, Scramble scramble, unsigned split) {
-    const std::vector<SampleCtx> parents = contexts;
-    const RixRNG camera(contexts.data(), static_cast<unsigned>(contexts.size()), &kBlue);
-    const RixRNG domain(camera, scramble, contexts.data(), RixRNG::Split{split});
-    for (std::size_t i = 0; i < contexts.size(); ++i) contexts[i].sampleid = parents[i].sampleid;
-    return domain;
-}
-
-template <typename Draw>
-void addSingle(const std::string& name, Access access, Draw draw, Scramble scramble = kPadded) {
-    addScenario(name, {}, [=](benchmark::State& state, Caches caches) {
-        std::vector<SampleCtx> contexts = makeBlueContexts(kPoints, access);
-        drawEach(state, caches, contexts, access, deriveFrom(contexts, scramble, 1), draw);
-    });
-}
-
-/// Rounds of as few draws as small batches have.
-void drawRound(benchmark::State& state, Caches caches) {
-    std::vector<SampleCtx> contexts =
-        makeBlueContexts(static_cast<std::size_t>(state.range(0)), Access::coherent);
-    drawEach(state, caches, contexts, Access::coherent, deriveFrom(contexts, kPadded, 1), kDraw2D);
-}
-
-template <typename DrawAll>
-void addBatch(const std::string& name, const std::vector<int64_t>& sizes, Access access,
-              DrawAll draw, Scramble scramble = kPadded, unsigned split = 1) {
-    addBatches(name, sizes, [=](benchmark::State& state, Caches caches) {
-        std::vector<SampleCtx> contexts =
-            makeBlueContexts(static_cast<std::size_t>(state.range(0)), access);
-        drawAll(state, caches, contexts, access, deriveFrom(contexts, scramble, split), draw);
-    });
+MakeDomain derived(Scramble scramble, unsigned split = 1) {
+    return [=](std::vector<SampleCtx>& contexts, std::size_t n, Access access) {
+        contexts = makeBlueContexts(n, access);
+        return deriveInPlace(contexts, kBlue, scramble, split);
+    };
 }
 
 const CountedPath kCounted("blue", [](CountedArrays& a) {
@@ -66,21 +37,23 @@ const CountedPath kCounted("blue", [](CountedArrays& a) {
 });
 
 const Suite kSuite([] {
-    addSingle("blue scalar 1D", Access::coherent, kDraw1D);
-    addSingle("blue scalar 2D", Access::coherent, kDraw2D);
-    addSingle("blue scalar 3D", Access::coherent, kDraw3D);
-    addSingle("blue scalar random 2D", Access::random, kDraw2D);
-    addSingle("blue slot scalar 2D", Access::coherent, kDraw2D, jointScramble(1));
-    addScenario("rounds of blue scalar 2D", {16, 256}, drawRound);
+    const MakeDomain padded = derived(static_cast<Scramble>(0x2d96c92bu));
+    const MakeDomain slot = derived(jointScramble(1));
+    addSingle("blue scalar 1D", Access::coherent, padded, kDraw1D);
+    addSingle("blue scalar 2D", Access::coherent, padded, kDraw2D);
+    addSingle("blue scalar 3D", Access::coherent, padded, kDraw3D);
+    addSingle("blue scalar random 2D", Access::random, padded, kDraw2D);
+    addSingle("blue slot scalar 2D", Access::coherent, slot, kDraw2D);
+    addRounds("rounds of blue scalar 2D", padded);
 
-    const std::vector<int64_t> sizes = {16, 256, 4096, 65536};
-    addBatch("blue coherent 1D", {4096}, Access::coherent, kDrawAll1D);
-    addBatch("blue coherent 2D", sizes, Access::coherent, kDrawAll2D);
-    addBatch("blue coherent 3D", {4096}, Access::coherent, kDrawAll3D);
-    addBatch("blue random 2D", {4096, 65536}, Access::random, kDrawAll2D);
-    addBatch("blue slot coherent 2D", {256, 4096}, Access::coherent, kDrawAll2D, jointScramble(1));
-    addBatch("blue slot random 2D", {4096}, Access::random, kDrawAll2D, jointScramble(1));
-    addBatch("split blue slot random 2D", {4096}, Access::random, kDrawAll2D, jointScramble(1), 4);
+    addBatch("blue coherent 1D", {4096}, Access::coherent, padded, kDrawAll1D);
+    addBatch("blue coherent 2D", {16, 256, 4096, 65536}, Access::coherent, padded, kDrawAll2D);
+    addBatch("blue coherent 3D", {4096}, Access::coherent, padded, kDrawAll3D);
+    addBatch("blue random 2D", {4096, 65536}, Access::random, padded, kDrawAll2D);
+    addBatch("blue slot coherent 2D", {256, 4096}, Access::coherent, slot, kDrawAll2D);
+    addBatch("blue slot random 2D", {4096}, Access::random, slot, kDrawAll2D);
+    addBatch("split blue slot random 2D", {4096}, Access::random, derived(jointScramble(1), 4),
+             kDrawAll2D);
 });
 
 } // namespace

@@ -6,45 +6,20 @@
 #include "wellstrat/long.h"
 
 #include "count.h"
-#include "scenarios.h"
+#include "domains.h"
 #include "wellstrat/order.h"
 
 namespace wellstrat {
 namespace {
 
-constexpr std::size_t kPoints = 1024;
 const LongProgressive kLong;
-constexpr Order kPadded;
 
-RixRNG viewOf(std::vector<SampleCtx>& contexts, Order order) {
-    RixRNG rng(contexts.data(), static_cast<unsigned>(contexts.size()), &kLong);
-    rng.order = order;
-    return rng;
-}
-
-template <typename Draw>
-void addSingle(const std::string& name, Access access, Draw draw, Order order = kPadded) {
-    addScenario(name, {}, [=](benchmark::State& state, Caches caches) {
-        std::vector<SampleCtx> contexts = makeContexts(kPoints, access);
-        drawEach(state, caches, contexts, access, viewOf(contexts, order), draw);
-    });
-}
-
-/// Rounds of as few draws as small batches have.
-void drawRound(benchmark::State& state, Caches caches) {
-    std::vector<SampleCtx> contexts =
-        makeContexts(static_cast<std::size_t>(state.range(0)), Access::coherent);
-    drawEach(state, caches, contexts, Access::coherent, viewOf(contexts, kPadded), kDraw2D);
-}
-
-template <typename DrawAll>
-void addBatch(const std::string& name, const std::vector<int64_t>& sizes, Access access,
-              DrawAll draw, Order order = kPadded) {
-    addBatches(name, sizes, [=](benchmark::State& state, Caches caches) {
-        std::vector<SampleCtx> contexts =
-            makeContexts(static_cast<std::size_t>(state.range(0)), access);
-        drawAll(state, caches, contexts, access, viewOf(contexts, order), draw);
-    });
+MakeDomain domainOf(Order order) {
+    return [order](std::vector<SampleCtx>& contexts, std::size_t n, Access access) {
+        RixRNG rng = cameraDomain(&kLong)(contexts, n, access);
+        rng.order = order;
+        return rng;
+    };
 }
 
 const CountedPath kCounted("long", [](CountedArrays& a) {
@@ -53,21 +28,22 @@ const CountedPath kCounted("long", [](CountedArrays& a) {
 });
 
 const Suite kSuite([] {
-    addSingle("long scalar 1D", Access::coherent, kDraw1D);
-    addSingle("long scalar 2D", Access::coherent, kDraw2D);
-    addSingle("long scalar 3D", Access::coherent, kDraw3D);
-    addSingle("long scalar random 2D", Access::random, kDraw2D);
-    addSingle("long slot scalar 2D", Access::coherent, kDraw2D, jointOrder(1));
-    addScenario("rounds of long scalar 2D", {16, 256}, drawRound);
+    const MakeDomain padded = domainOf({}), slot = domainOf(jointOrder(1));
+    addSingle("long scalar 1D", Access::coherent, padded, kDraw1D);
+    addSingle("long scalar 2D", Access::coherent, padded, kDraw2D);
+    addSingle("long scalar 3D", Access::coherent, padded, kDraw3D);
+    addSingle("long scalar random 2D", Access::random, padded, kDraw2D);
+    addSingle("long slot scalar 2D", Access::coherent, slot, kDraw2D);
+    addRounds("rounds of long scalar 2D", padded);
 
-    const std::vector<int64_t> sizes = {16, 256, 4096, 65536};
-    addBatch("long coherent 1D", {4096}, Access::coherent, kDrawAll1D);
-    addBatch("long coherent 2D", sizes, Access::coherent, kDrawAll2D);
-    addBatch("long coherent 3D", {4096}, Access::coherent, kDrawAll3D);
-    addBatch("long random 2D", {4096, 65536}, Access::random, kDrawAll2D);
-    addBatch("long slot coherent 2D", {256, 4096}, Access::coherent, kDrawAll2D, jointOrder(1));
-    addBatch("long slot random 2D", {4096}, Access::random, kDrawAll2D, jointOrder(1));
-    addBatch("split long slot random 2D", {4096}, Access::random, kDrawAll2D, jointOrder(1, 4));
+    addBatch("long coherent 1D", {4096}, Access::coherent, padded, kDrawAll1D);
+    addBatch("long coherent 2D", {16, 256, 4096, 65536}, Access::coherent, padded, kDrawAll2D);
+    addBatch("long coherent 3D", {4096}, Access::coherent, padded, kDrawAll3D);
+    addBatch("long random 2D", {4096, 65536}, Access::random, padded, kDrawAll2D);
+    addBatch("long slot coherent 2D", {256, 4096}, Access::coherent, slot, kDrawAll2D);
+    addBatch("long slot random 2D", {4096}, Access::random, slot, kDrawAll2D);
+    addBatch("split long slot random 2D", {4096}, Access::random, domainOf(jointOrder(1, 4)),
+             kDrawAll2D);
 });
 
 } // namespace

@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 
@@ -28,6 +29,28 @@ class CliTest(unittest.TestCase):
             return pty.openpty()
         except OSError as error:
             self.skipTest(f"no pseudo-terminal: {error}")
+
+    def on_terminal(self, *arguments, stdout=subprocess.PIPE):
+        """(What a terminal shows of the standard error, the standard output.)"""
+        controller, terminal = self.open_terminal()
+        shown = []
+
+        def read():
+            try:
+                while data := os.read(controller, 4096):
+                    shown.append(data)
+            except OSError:
+                pass  # as Linux says that the other end is closed
+
+        reader = threading.Thread(target=read)
+        reader.start()
+        process = subprocess.run([PROGRAM, *arguments], cwd=self.directory, stderr=terminal,
+                                 stdout=terminal if stdout is None else stdout, check=True,
+                                 timeout=100)
+        os.close(terminal)
+        reader.join()
+        os.close(controller)
+        return b"".join(shown).decode(), process.stdout
 
     def setUp(self):
         directory = tempfile.TemporaryDirectory()

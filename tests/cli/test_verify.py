@@ -3,10 +3,9 @@
 
 import json
 import os
-import subprocess
 import unittest
 
-from support import PROGRAM, CliTest
+from support import CliTest
 
 SHORT = ("verify", "--tables", "0..3", "--patterns", "5")
 
@@ -43,17 +42,11 @@ class VerifyTest(CliTest):
         self.assertGreater(intervals("0..3"), intervals("383..383"))
 
     def test_progress_is_for_terminals(self):
-        controller, terminal = self.open_terminal()
-        process = subprocess.run([PROGRAM, *SHORT], stdout=subprocess.PIPE, stderr=terminal,
-                                 check=False, timeout=200)
-        os.close(terminal)
-        shown = os.read(controller, 65536).decode()
-        os.close(controller)
-        self.assertEqual(process.returncode, 0)
+        shown, output = self.on_terminal(*SHORT)
         for part in ("tables", "patterns", "long", "blue"):
             self.assertIn(f"checking {part}:", shown)
         self.assertTrue(shown.endswith("\r\x1b[K"))
-        self.assertEqual(process.stdout, self.output_of(*SHORT))
+        self.assertEqual(output, self.output_of(*SHORT))
 
 
 if __name__ == "__main__":
