@@ -272,9 +272,11 @@ HWY_INLINE void drawDomain(std::size_t n, const SampleCtx* contexts, Domain doma
             __attribute__((always_inline)) { drawBlock(vectors, some, domain, point, results); });
 }
 
+} // namespace
+
 template <typename Sample>
-HWY_INLINE void draw(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                     Sample* xis) {
+void drawBlue(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+              Sample* xis) {
     if (slot == kJointSlots) return drawDomain(n, contexts, PaddedDomain(), xis);
     if (split == 1) {
         return drawDomain(n, contexts, SlotDomain<SlotSequence>(slot, SlotSequence(slot)), xis);
@@ -283,22 +285,9 @@ HWY_INLINE void draw(std::size_t n, const SampleCtx* contexts, unsigned slot, un
                xis);
 }
 
-} // namespace
-
-void drawBlue1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                float* xis) {
-    draw(n, contexts, slot, split, xis);
-}
-
-void drawBlue2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                Float2* xis) {
-    draw(n, contexts, slot, split, xis);
-}
-
-void drawBlue3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                Float3* xis) {
-    draw(n, contexts, slot, split, xis);
-}
+template void drawBlue(std::size_t, const SampleCtx*, unsigned, unsigned, float*);
+template void drawBlue(std::size_t, const SampleCtx*, unsigned, unsigned, Float2*);
+template void drawBlue(std::size_t, const SampleCtx*, unsigned, unsigned, Float3*);
 
 void newBlueDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                          unsigned newnumsamples, SampleCtx* children) {

@@ -22,12 +22,9 @@ inline namespace stream1 {
 namespace batch {
 namespace HWY_NAMESPACE {
 
-void drawBlue1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                float* xis);
-void drawBlue2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                Float2* xis);
-void drawBlue3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                Float3* xis);
+/// Of float, Float2 and Float3.
+template <typename Sample>
+void drawBlue(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split, Sample* xis);
 void newBlueDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
                          unsigned newnumsamples, SampleCtx* children);
 void newBlueDomainsDistrib(std::size_t n, const SampleCtx* parents, Scramble scramble,

@@ -14,41 +14,39 @@ namespace wellstrat {
 inline namespace stream1 {
 namespace batch {
 
-/// n >= 1 in all. The draws add `step`, 0 or 1, to each sampleid after its draw; with 0 the
-/// contexts are not written to. Those of the sequence and of the blue one are padded where `slot`
-/// is kJointSlots.
+// n >= 1 in all.
+
+/// Draws from the tables, and adds `step`, 0 or 1, to each sampleid after its draw; with 0 the
+/// contexts are not written to.
+template <typename Sample>
+using DrawTables = void (*)(std::size_t n, const uint32_t* words, SampleCtx* contexts,
+                            unsigned step, Sample* xis);
+template <typename Sample>
+using DrawJoint = void (*)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
+                           unsigned slot, unsigned split, Sample* xis);
+
+/// Of points without tables: padded where `slot` is kJointSlots.
+template <typename Sample>
+using DrawComputed = void (*)(std::size_t n, const SampleCtx* contexts, unsigned slot,
+                              unsigned split, Sample* xis);
+
 struct Kernels {
     const char* target;
-    void (*draw1D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
-                   float* xis);
-    void (*draw2D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
-                   Float2* xis);
-    void (*draw3D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
-                   Float3* xis);
-    void (*drawJoint1D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
-                        unsigned slot, unsigned split, float* xis);
-    void (*drawJoint2D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
-                        unsigned slot, unsigned split, Float2* xis);
-    void (*drawJoint3D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
-                        unsigned slot, unsigned split, Float3* xis);
-    void (*drawSequence1D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                           float* xis);
-    void (*drawSequence2D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                           Float2* xis);
-    void (*drawSequence3D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                           Float3* xis);
-    void (*drawSequenceBits1D)(std::size_t n, const SampleCtx* contexts, unsigned slot,
-                               unsigned split, uint32_t* bits);
-    void (*drawSequenceBits2D)(std::size_t n, const SampleCtx* contexts, unsigned slot,
-                               unsigned split, Bits2* bits);
-    void (*drawSequenceBits3D)(std::size_t n, const SampleCtx* contexts, unsigned slot,
-                               unsigned split, Bits3* bits);
-    void (*drawBlue1D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                       float* xis);
-    void (*drawBlue2D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                       Float2* xis);
-    void (*drawBlue3D)(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                       Float3* xis);
+    DrawTables<float> draw1D;
+    DrawTables<Float2> draw2D;
+    DrawTables<Float3> draw3D;
+    DrawJoint<float> drawJoint1D;
+    DrawJoint<Float2> drawJoint2D;
+    DrawJoint<Float3> drawJoint3D;
+    DrawComputed<float> drawSequence1D;
+    DrawComputed<Float2> drawSequence2D;
+    DrawComputed<Float3> drawSequence3D;
+    DrawComputed<uint32_t> drawSequenceBits1D;
+    DrawComputed<Bits2> drawSequenceBits2D;
+    DrawComputed<Bits3> drawSequenceBits3D;
+    DrawComputed<float> drawBlue1D;
+    DrawComputed<Float2> drawBlue2D;
+    DrawComputed<Float3> drawBlue3D;
     void (*newDomainsSplit)(std::size_t n, const SampleCtx* parents, Scramble scramble,
                             unsigned newnumsamples, SampleCtx* children);
     void (*newDomainsDistrib)(std::size_t n, const SampleCtx* parents, Scramble scramble,

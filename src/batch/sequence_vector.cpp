@@ -32,45 +32,22 @@ HWY_NOINLINE void drawInOrder(std::size_t n, const SampleCtx* contexts, Order or
     });
 }
 
+} // namespace
+
 template <typename Sample>
-HWY_INLINE void draw(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                     Sample* xis) {
+void drawSequence(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                  Sample* xis) {
     if (slot == kJointSlots) return drawInOrder(n, contexts, ShuffledSequence(), xis);
     if (split == 1) return drawInOrder(n, contexts, SlotSequence(slot), xis);
     drawInOrder(n, contexts, SplitSlotSequence(slot, split), xis);
 }
 
-} // namespace
-
-void drawSequence1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                    float* xis) {
-    draw(n, contexts, slot, split, xis);
-}
-
-void drawSequence2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                    Float2* xis) {
-    draw(n, contexts, slot, split, xis);
-}
-
-void drawSequence3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                    Float3* xis) {
-    draw(n, contexts, slot, split, xis);
-}
-
-void drawSequenceBits1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        uint32_t* bits) {
-    draw(n, contexts, slot, split, bits);
-}
-
-void drawSequenceBits2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        Bits2* bits) {
-    draw(n, contexts, slot, split, bits);
-}
-
-void drawSequenceBits3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        Bits3* bits) {
-    draw(n, contexts, slot, split, bits);
-}
+template void drawSequence(std::size_t, const SampleCtx*, unsigned, unsigned, float*);
+template void drawSequence(std::size_t, const SampleCtx*, unsigned, unsigned, Float2*);
+template void drawSequence(std::size_t, const SampleCtx*, unsigned, unsigned, Float3*);
+template void drawSequence(std::size_t, const SampleCtx*, unsigned, unsigned, uint32_t*);
+template void drawSequence(std::size_t, const SampleCtx*, unsigned, unsigned, Bits2*);
+template void drawSequence(std::size_t, const SampleCtx*, unsigned, unsigned, Bits3*);
 
 } // namespace HWY_NAMESPACE
 } // namespace batch

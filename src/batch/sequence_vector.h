@@ -23,18 +23,10 @@ inline namespace stream1 {
 namespace batch {
 namespace HWY_NAMESPACE {
 
-void drawSequence1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                    float* xis);
-void drawSequence2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                    Float2* xis);
-void drawSequence3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                    Float3* xis);
-void drawSequenceBits1D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        uint32_t* bits);
-void drawSequenceBits2D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        Bits2* bits);
-void drawSequenceBits3D(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
-                        Bits3* bits);
+/// Of float, Float2 and Float3, and of uint32_t, Bits2 and Bits3.
+template <typename Sample>
+void drawSequence(std::size_t n, const SampleCtx* contexts, unsigned slot, unsigned split,
+                  Sample* xis);
 
 } // namespace HWY_NAMESPACE
 } // namespace batch
