@@ -8,15 +8,15 @@
 // argument and c its integral over both (Hickernell 1998, Math. Comp. 67, section 3). A kind of
 // discrepancy is its k, h and c, and all k are
 //
-//     k(x, y) = q(x) + q(y) - p x y + a |x - y|
+//     k(x, y) = q(x) + q(y) - p x y + m min(1 - x, 1 - y)
 //
-// The first three terms are (q(x) + 1/2) (q(y) + 1/2) - (q(x) - 1/2) (q(y) - 1/2) - p x y, a sum of
-// products of a function of x and the same function of y. Multiplied out over the coordinates, the
-// sum over pairs consists of sums of products of weights and distances, which distance_sums.h has.
+// The first two terms are (q(x) + 1/2) (q(y) + 1/2) - (q(x) - 1/2) (q(y) - 1/2), a sum of products
+// of a function of x and the same function of y. Multiplied out over the coordinates, the sum over
+// pairs consists of sums of products of weights and minima, which minimum_sums.h has.
 
 #include "wellstrat/analysis/discrepancy.h"
 
-#include "distance_sums.h"
+#include "minimum_sums.h"
 
 #include <algorithm>
 #include <array>
@@ -30,43 +30,50 @@ namespace {
 
 struct StarKernel { // 1 - max(x, y)
     static constexpr long double kMean = 1.0L / 3;
-    static constexpr double kDistance = -0.5, kProduct = 0;
+    static constexpr double kMinimum = 1, kProduct = 0;
+    static constexpr bool kHasPart = false;
     static long double single(long double x) { return (1 - x * x) / 2; }
-    static double part(double x) { return 0.5 - x / 2; }
+    static double part(double) { return 0; }
 };
 
-struct CenteredKernel {
+struct CenteredKernel { // 1 + |x - 1/2| / 2 + |y - 1/2| / 2 - |x - y| / 2
     static constexpr long double kMean = 13.0L / 12;
-    static constexpr double kDistance = -0.5, kProduct = 0;
+    static constexpr double kMinimum = 1, kProduct = 0;
+    static constexpr bool kHasPart = true;
     static long double single(long double x) {
         const long double z = std::fabs(x - 0.5L);
         return 1 + z / 2 - z * z / 2;
     }
-    static double part(double x) { return 0.5 + std::fabs(x - 0.5) / 2; }
+    static double part(double x) { return (std::fabs(x - 0.5) + x) / 2; }
 };
 
 struct WrapAroundKernel { // 3/2 - |x - y| + (x - y)^2
     static constexpr long double kMean = 4.0L / 3;
-    static constexpr double kDistance = -1, kProduct = 2;
+    static constexpr double kMinimum = 2, kProduct = 2;
+    static constexpr bool kHasPart = true;
     static long double single(long double) { return kMean; }
-    static double part(double x) { return 0.75 + x * x; }
+    static double part(double x) { return x + x * x - 0.25; }
 };
 
-struct MixtureKernel { // its terms in x and in y, - 3/4 |x - y| + (x - y)^2 / 2
+struct MixtureKernel { // 15/8 - |x - 1/2| / 4 - |y - 1/2| / 4 - 3/4 |x - y| + (x - y)^2 / 2
     static constexpr long double kMean = 19.0L / 12;
-    static constexpr double kDistance = -0.75, kProduct = 1;
+    static constexpr double kMinimum = 1.5, kProduct = 1;
+    static constexpr bool kHasPart = true;
     static long double single(long double x) {
         const long double z = std::fabs(x - 0.5L);
         return 5.0L / 3 - z / 4 - z * z / 4;
     }
-    static double part(double x) { return 15.0 / 16 - std::fabs(x - 0.5) / 4 + x * x / 2; }
+    static double part(double x) {
+        return 3.0 / 16 - std::fabs(x - 0.5) / 4 + 3 * x / 4 + x * x / 2;
+    }
 };
 
 struct ModifiedKernel { // 2 - max(x, y)
     static constexpr long double kMean = 4.0L / 3;
-    static constexpr double kDistance = -0.5, kProduct = 0;
+    static constexpr double kMinimum = 1, kProduct = 0;
+    static constexpr bool kHasPart = true;
     static long double single(long double x) { return (3 - x * x) / 2; }
-    static double part(double x) { return 1 - x / 2; }
+    static double part(double) { return 0.5; }
 };
 
 template <class Kernel>
@@ -86,43 +93,46 @@ long double singleSum(const UnitPoints& points) {
 template <class Kernel>
 class ExpandedPairs {
 public:
-    /// `distances` is the sum of the products of all distances, which all kernels share.
-    ExpandedPairs(const UnitPoints& points, const DistanceSums& sums, long double distances)
-        : points_(points), sums_(sums), distances_(distances) {}
+    /// `minima` is the sum of the products of all minima, which all kernels share.
+    ExpandedPairs(const UnitPoints& points, const MinimumSums& sums, long double minima)
+        : points_(points), sums_(sums), minima_(minima) {}
 
     long double sum() const { return expand({std::vector<double>(points_.count(), 1.0), {}}, 0); }
 
 private:
     /// What was chosen of the coordinates so far: the product of the functions of a point, and
-    /// those of which the distance was taken.
+    /// those of which the minimum was taken.
     struct Term {
         std::vector<double> weights;
         std::vector<unsigned> axes;
     };
 
     long double expand(const Term& term, unsigned dim) const {
-        if (term.axes.size() == points_.dims()) return distances_;
+        if (term.axes.size() == points_.dims()) return minima_;
         if (dim == points_.dims()) return sums_.sum(term.weights, term.axes);
-        Term withDistance = term;
-        withDistance.axes.push_back(dim);
-        long double sum = Kernel::kDistance * expand(withDistance, dim + 1);
-        sum += expand(times(term, dim, [](double x) { return Kernel::part(x) + 0.5; }), dim + 1);
-        sum -= expand(times(term, dim, [](double x) { return Kernel::part(x) - 0.5; }), dim + 1);
+        Term withMinimum = term;
+        withMinimum.axes.push_back(dim);
+        long double sum = Kernel::kMinimum * expand(withMinimum, dim + 1);
+        if (!Kernel::kHasPart) return sum;
+        sum += expandTimes(term, dim, [](double x) { return Kernel::part(x) + 0.5; });
+        sum -= expandTimes(term, dim, [](double x) { return Kernel::part(x) - 0.5; });
         if (Kernel::kProduct == 0) return sum;
-        return sum -
-               Kernel::kProduct * expand(times(term, dim, [](double x) { return x; }), dim + 1);
+        return sum - Kernel::kProduct * expandTimes(term, dim, [](double x) { return x; });
     }
 
+    /// The same with the weights times a function of a coordinate; nothing if that is 0.
     template <class Function>
-    Term times(Term term, unsigned dim, const Function& function) const {
+    long double expandTimes(Term term, unsigned dim, const Function& function) const {
         const double* x = points_.coordinate(dim);
         for (std::size_t i = 0; i < points_.count(); ++i) term.weights[i] *= function(x[i]);
-        return term;
+        const bool isZero = std::all_of(term.weights.begin(), term.weights.end(),
+                                        [](double weight) { return weight == 0; });
+        return isZero ? 0 : expand(term, dim + 1);
     }
 
     const UnitPoints& points_;
-    const DistanceSums& sums_;
-    const long double distances_;
+    const MinimumSums& sums_;
+    const long double minima_;
 };
 
 /// Points are taken in blocks of this many, so that the sums of a block stay in the cache. Each
@@ -189,7 +199,7 @@ private:
               others(set.points_.coordinate(d) + begin), otherParts(set.parts_[d].data() + begin) {}
 
         double kernel(std::size_t j) const {
-            return part + otherParts[j] + Kernel::kDistance * std::fabs(x - others[j]) -
+            return part + otherParts[j] + Kernel::kMinimum * (1 - std::max(x, others[j])) -
                    Kernel::kProduct * x * others[j];
         }
 
@@ -240,17 +250,16 @@ std::vector<double> directDiscrepancies(const UnitPoints& points,
 
 std::vector<double> l2Discrepancies(const UnitPoints& points, const std::vector<L2Kind>& kinds) {
     if (points.dims() > kMaxFastL2Dimensions) return directDiscrepancies(points, kinds);
-    const DistanceSums sums(points);
+    const MinimumSums sums(points);
     std::vector<unsigned> axes(points.dims());
     std::iota(axes.begin(), axes.end(), 0u);
-    const long double distances = sums.sum(std::vector<double>(points.count(), 1.0), axes);
+    const long double minima = sums.sum(std::vector<double>(points.count(), 1.0), axes);
     std::vector<double> result;
     result.reserve(kinds.size());
     for (const L2Kind kind : kinds) {
         result.push_back(withKernel(kind, [&](auto kernel) {
             using Kernel = decltype(kernel);
-            return discrepancyOf<Kernel>(points,
-                                         ExpandedPairs<Kernel>(points, sums, distances).sum());
+            return discrepancyOf<Kernel>(points, ExpandedPairs<Kernel>(points, sums, minima).sum());
         }));
     }
     return result;
