@@ -91,25 +91,24 @@ std::string result(const CertificateLine& line) {
     return line.violations == 0 ? "ok" : fmt::format("{} VIOLATED", line.violations);
 }
 
+/// The promises, each under what it was checked of.
 std::string tableText(const Certificate& certificate) {
-    size_t promiseWidth = 7, subjectWidth = 7;
+    size_t promiseWidth = 0;
     uint64_t intervals = 0, violations = 0;
     for (const CertificateLine& line : certificate) {
         promiseWidth = std::max(promiseWidth, line.promise.size());
-        subjectWidth = std::max(subjectWidth, line.subject.size());
         intervals += line.intervals;
         violations += line.violations;
     }
-    std::string text = versionLine() + "\n\n";
+    std::string text = versionLine() + "\n", subject;
     const auto out = std::back_inserter(text);
-    const auto row = [&](const auto& promise, const auto& subject, const auto& count,
-                         const auto& outcome) {
-        fmt::format_to(out, "{:<{}}  {:<{}}  {:>12}  {}\n", promise, promiseWidth, subject,
-                       subjectWidth, count, outcome);
-    };
-    row("promise", "subject", "intervals", "result");
     for (const CertificateLine& line : certificate) {
-        row(line.promise, line.subject, line.intervals, result(line));
+        if (line.subject != subject) {
+            subject = line.subject;
+            fmt::format_to(out, "\n{}:\n", subject);
+        }
+        fmt::format_to(out, "  {:<{}}  {:>11}  {}\n", line.promise, promiseWidth, line.intervals,
+                       result(line));
         if (!line.firstViolation.empty())
             fmt::format_to(out, "    first: {}\n", line.firstViolation);
     }
