@@ -70,9 +70,10 @@ class CliTest(unittest.TestCase):
     def run_program(self, *arguments, **options):
         """The finished process; its output is bytes."""
         options.setdefault("stdout", subprocess.PIPE)
+        options.setdefault("timeout", 200)
         return subprocess.run(
             [PROGRAM, *arguments], cwd=self.directory, stdin=subprocess.DEVNULL,
-            stderr=subprocess.PIPE, timeout=200, check=False, **options)
+            stderr=subprocess.PIPE, check=False, **options)
 
     @contextlib.contextmanager
     def started(self, *command, **options):

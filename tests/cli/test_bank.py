@@ -27,7 +27,7 @@ class BankTest(CliTest):
 
     @unittest.skipUnless(os.environ.get("WELLSTRAT_NIGHTLY") == "1", "takes minutes")
     def test_header_is_what_the_search_prints(self):
-        self.assertEqual(self.output_of("bank").decode(), HEADER.read_text())
+        self.assertEqual(self.output_of("bank", timeout=1800).decode(), HEADER.read_text())
 
     def test_options_of_the_search(self):
         few = ("bank", "--slots", "3", "--width", "1")

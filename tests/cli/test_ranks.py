@@ -38,7 +38,7 @@ class RanksTest(CliTest):
 
     @unittest.skipUnless(os.environ.get("WELLSTRAT_NIGHTLY") == "1", "takes minutes")
     def test_whole_header(self):
-        self.assertEqual(self.output_of("ranks").decode(), HEADER.read_text())
+        self.assertEqual(self.output_of("ranks", timeout=1800).decode(), HEADER.read_text())
 
     def test_z_is_that_of_the_library(self):
         columns = re.findall(r"0x[0-9a-f]{8}", self.output_of("ranks", "--z").decode())
