@@ -8,16 +8,16 @@
 #     `reset` leaves `set linetype`, `set encoding` and `set decimalsign` as ~/.gnuplot has set them;
 #     `set colorsequence default` resets the colors of linetypes, not their widths
 #
-# Needs gnuplot-nox. Fails when the behavior changes.
+# Needs what gnuplot-nox depends on.
 #
 # Expected: an error or a warning where no font is found, and `reset` as after a start without ~/.gnuplot.
 # Found: neither.
 # Versions: gnuplot-nox 5.4.4+dfsg1-2+b2. Source: Debian 12. Date: 2026-11-27. As recorded below.
-set -euo pipefail
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-dpkg-query -W -f='${Package} ${Version}\n' gnuplot-nox
+# shellcheck source=findings/common.sh
+source "$(dirname "$0")/common.sh"
+fetch gnuplot-nox=5.4.4+dfsg1-2+b2
+gnuplot=usr/bin/gnuplot-nox
+needs_all "$gnuplot"
 
 echo '<fontconfig><dir>/nonexistent</dir></fontconfig>' > fonts.conf
 cat > title.gp << 'END'
@@ -31,9 +31,9 @@ set output 'with.png'
 set title 'A title'
 replot
 END
-FONTCONFIG_FILE=$folder/fonts.conf gnuplot --default-settings title.gp 2> errors
-[ ! -s errors ] || { cat errors; echo changed; exit 1; }
-cmp without.png with.png || { echo changed; exit 1; }
+FONTCONFIG_FILE=$folder/fonts.conf "$gnuplot" --default-settings title.gp 2> errors
+[ ! -s errors ] || changed "it says $(cat errors)"
+cmp without.png with.png || changed "there is text"
 echo "without fonts: the same picture with and without a title"
 
 cat > reset.gp << 'END'
@@ -46,9 +46,9 @@ show linetype 1
 show encoding
 show decimalsign
 END
-gnuplot --default-settings reset.gp 2> settings
+"$gnuplot" --default-settings reset.gp 2> settings
 for left in 'linewidth 5' iso_8859_1 'output is ,'; do
-    grep -q "$left" settings || { cat settings; echo "changed: $left"; exit 1; }
+    grep -q "$left" settings || changed "reset undoes $left"
 done
 echo "after reset: linetype, encoding and decimalsign stay"
 echo "as found"

@@ -11,16 +11,16 @@
 # of that name. ImageInput::create(name, true, &config, &proxy) does, where config has the proxy
 # once more as "oiio:ioproxy".
 #
-# Needs libopenimageio-dev, openimageio-tools and g++. Fails when the behavior changes.
+# Needs g++ and what libopenimageio-dev depends on.
 #
 # Expected: "oiio:UnassociatedAlpha" is heeded for all formats, and open() takes the proxy it is given.
 # Found: neither is so, for WebP and for open().
 # Versions: OpenImageIO 2.4.7.1+dfsg-2. Source: Debian 12. Date: 2026-11-27. As recorded below.
-set -euo pipefail
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-dpkg-query -W -f='${Package} ${Version}\n' libopenimageio-dev
+# shellcheck source=findings/common.sh
+source "$(dirname "$0")/common.sh"
+fetch libopenimageio-dev=2.4.7.1+dfsg-2 libopenimageio2.4=2.4.7.1+dfsg-2 openimageio-tools=2.4.7.1+dfsg-2
+oiiotool=usr/bin/oiiotool
+needs_all "$oiiotool"
 
 cat > main.cpp << 'END'
 #include <OpenImageIO/filesystem.h>
@@ -56,9 +56,9 @@ int main() {
     return png && webp && !memory ? 0 : 1;
 }
 END
-oiiotool --pattern constant:color=0.8,0.4,0.2,0.25 1x1 4 -d uint8 --attrib oiio:UnassociatedAlpha 1 \
+"$oiiotool" --pattern constant:color=0.8,0.4,0.2,0.25 1x1 4 -d uint8 --attrib oiio:UnassociatedAlpha 1 \
     -o a.png
-oiiotool a.png -o a.webp
-g++ -std=c++17 main.cpp -o main -lOpenImageIO -lOpenImageIO_Util
-./main || { echo changed; exit 1; }
+"$oiiotool" a.png -o a.webp
+compile -lOpenImageIO -lOpenImageIO_Util
+./main || changed "as printed above"
 echo "as found"

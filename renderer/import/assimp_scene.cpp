@@ -15,6 +15,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -105,8 +106,12 @@ Scene importByAssimp(const std::string& path, uint64_t mostTriangles) {
     const aiScene* const source =
         importer.ReadFile(path, aiProcess_ValidateDataStructure | aiProcess_Triangulate |
                                     aiProcess_TransformUVCoords);
-    if (!source || !source->mRootNode) throw std::runtime_error(importer.GetErrorString());
-    return SceneImport(*source, builder).run();
+    if (source && source->mRootNode) return SceneImport(*source, builder).run();
+    if (!importer.IsExtensionSupported(std::filesystem::path(path).extension().string()))
+        throw std::runtime_error(
+            "there is no reader for this kind of file; glTF, OBJ, PLY and STL are read, and what "
+            "Assimp reads");
+    throw std::runtime_error(importer.GetErrorString());
 }
 
 } // namespace wellstrat::render

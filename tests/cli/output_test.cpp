@@ -41,6 +41,9 @@ TEST(Axes, OfDecimalNumbers) {
               "'0.01' 0.01, '0.1' 0.1, '1' 1)\n");
     EXPECT_NE(decimalAxis("y", rangeOf(1e-6, 4e-6)).find("'2\u00b710^{-6}' 2e-06"),
               std::string::npos);
+    EXPECT_EQ(decimalAxis("y", rangeOf(0.0225, 0.097)),
+              "set logscale y\nset yrange [0.0225:0.097]\n"
+              "set ytics ('0.03' 0.03, '0.05' 0.05, '0.07' 0.07)\n");
 }
 
 /// gnuplot takes no range of one number, and nothing is a range of none.

@@ -98,13 +98,13 @@ class ReportTest(CliTest):
             integrand = row[0] or integrand
             name = GENERATORS[TITLES.index(row[1])]
             for count, text in zip(("4", "16", "64", "256", "1024"), row[2:], strict=True):
-                self.assertEqual(text, f"{rmse[name, INTEGRANDS[integrand], count]:.2e}")
+                self.assertEqual(text, f"{rmse[name, INTEGRANDS[integrand], count]:#.3g}")
         self.assert_verdict(page, rmse)
         measures = json.loads(self.output_of(*self.command_in(page, "analyze"), "--json"))
         discrepancy = measures["discrepancy"]
         row = [rows for rows in page.tables if rows[0][:2] == ["generator", "star"]][0][1]
-        self.assertEqual(row[:3], ["Stratified", f"{discrepancy['star'][0]:.2e}",
-                                   f"{discrepancy['l2_star']:.2e}"])
+        self.assertEqual(row[:3], ["Stratified", f"{discrepancy['star'][0]:#.3g}",
+                                   f"{discrepancy['l2_star']:#.3g}"])
         worst = measures["independence"][0]["worst"][0]
         self.assertEqual(self.table(page, "generator", "one")[0][:4],
                          ["Stratified", worst["first"], worst["second"], f"{worst['correlation']:.3f}"])

@@ -48,6 +48,64 @@ TEST(Mtl, OpacityIsOfTheMaterialThatSaysIt) {
     EXPECT_NEAR(materialFrom("Tr 0.5\nnewmtl second\nd 0.1\n").opacity, 0.5f, 1e-6f);
 }
 
+// By the models of glass, straight on, and of refraction, whose equations do not know "d".
+TEST(Mtl, LightThatPasses) {
+    struct Case {
+        const char* text;
+        bool isSolid;
+        float part, ior;
+    };
+    for (const Case& expected : {Case{"illum 4\nd 0.25\nKd 0 0 0\nKs 1 1 1\n", false, 0.75f, 1.5f},
+                                 Case{"illum 9\nTr 1\nNi 1.3\n", false, 1, 1.3f},
+                                 Case{"illum 7\nNi 1.8\nNs 10\nKs 1 1 1\n", true, 1, 1.8f},
+                                 Case{"illum 6\nd 0.5\nNi 1.33\nTf 1\n", true, 0.5f, 1.33f},
+                                 Case{"illum 7\nNi 0.5\nd 1\n", true, 1, 1}}) {
+        const Material material = materialFrom(std::string("Kd 1 1 1\n") + expected.text);
+        const bool isBlackBehind = expected.part == 0.75f;
+        EXPECT_EQ(material.alpha, Material::Alpha::opaque) << expected.text;
+        EXPECT_EQ(material.isSolid, expected.isSolid) << expected.text;
+        EXPECT_NEAR(material.transmission, isBlackBehind ? 1 : expected.part, 1e-6f)
+            << expected.text;
+        expectNear(material.baseColor, Float3(isBlackBehind ? 0.75f : 1.0f));
+        EXPECT_EQ(material.ior, expected.ior) << expected.text;
+        EXPECT_EQ(material.roughness, 0.0f) << expected.text;
+        EXPECT_EQ(material.metallic, 0.0f) << expected.text;
+    }
+}
+
+// What passes and what is scattered have the colors Tf and Kd, together.
+TEST(Mtl, ColorsOfLightThatPasses) {
+    const Material clear = materialFrom("illum 7\nKd 0.5 0.5 0.5\nTf 0.9 0.5 0.1\n");
+    expectNear(clear.baseColor, {0.9f, 0.5f, 0.1f});
+    EXPECT_EQ(clear.transmission, 1.0f);
+    const Material part = materialFrom("illum 7\nKd 0 1 0\nTf 1 0 0\nd 0.25\nPr 0.5\n");
+    expectNear(part.baseColor, {0.75f, 0.25f, 0});
+    EXPECT_NEAR(part.transmission, 0.75f * 0.2126f / (0.75f * 0.2126f + 0.25f * 0.7152f), 1e-6f);
+    EXPECT_EQ(part.roughness, 0.5f);
+}
+
+// Opaque materials as Maya and 3ds Max write them, and blended ones as Blender does.
+TEST(Mtl, LightThatDoesNotPass) {
+    const TempFolder folder;
+    for (const char* const text : {"illum 4\nTf 1.00 1.00 1.00\nNi 1.00\n", "illum 2\nTf 1 1 1\n",
+                                   "illum 7\nTf 0 0 0\n", "illum 5\nd 1\n", "illum 1e99\n"}) {
+        const Scene scene = readSquareObj(folder, text);
+        EXPECT_EQ(materialOf(scene).transmission, 0.0f) << text;
+        EXPECT_EQ(materialOf(scene).alpha, Material::Alpha::opaque) << text;
+        EXPECT_EQ(scene.notes.size(), 1u) << text; // no camera
+    }
+    writePicture<uint8_t>(folder, "gray.png", 1, 1, 1, {102});
+    for (const char* const text :
+         {"illum 2\nd 0.5\n", "illum 9\nd 0.5\nTf 0 0 0\n", "illum 9\nd 0.5\nmap_d gray.png\n"}) {
+        const Material material = materialOf(readSquareObj(folder, text));
+        EXPECT_EQ(material.transmission, 0.0f) << text;
+        EXPECT_EQ(material.alpha, Material::Alpha::blend) << text;
+        EXPECT_EQ(material.opacity, 0.5f) << text;
+    }
+    EXPECT_TRUE(hasNote(readSquareObj(folder, "illum 4\nTf 0.2 0.2 0.2\n"), "'Tf'"));
+    EXPECT_TRUE(hasNote(readSquareObj(folder, "illum 7\nNi 0.9\n"), "below 1 count as 1"));
+}
+
 // Alpha of the picture that "map_d" names, and of no other.
 TEST(Mtl, OpacityOfPictures) {
     const TempFolder folder;
@@ -163,8 +221,7 @@ TEST(Mtl, SaysWhatIsLeftOut) {
                                    "'-mm'", "'-imfchan'", "'Pc'"})
         EXPECT_TRUE(hasNote(scene, what)) << what;
     EXPECT_TRUE(materialOf(scene).baseColorTexture);
-    const Scene silent =
-        readSquareObj(folder, "Ka 1 1 1\nillum 2\nNi 1\nTf 1 1 1\nPc 0\naniso 0.0\n");
+    const Scene silent = readSquareObj(folder, "Ka 1 1 1\nillum 2\nNi 1\nPc 0\naniso 0.0\n");
     EXPECT_EQ(silent.notes.size(), 1u); // no camera
 }
 

@@ -37,6 +37,15 @@ TEST(SceneFile, ErrorsNameTheFileInOneLine) {
     }
 }
 
+TEST(SceneFile, KindsThatHaveNoReader) {
+    const TempFolder folder;
+    for (const char* const name : {"scene.usd", "scene.abc", "picture.png", "noextension"})
+        EXPECT_NE(errorOf(folder.write(name, "hello"))
+                      .find("there is no reader for this kind of file; glTF, OBJ, PLY and STL are"),
+                  std::string::npos)
+            << name;
+}
+
 TEST(SceneFile, WithoutTrianglesIsAnError) {
     const TempFolder folder;
     for (const auto& path : {folder.write("points.obj", "v 0 0 0\nv 1 0 0\np 1 2\n"),

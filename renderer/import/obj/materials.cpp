@@ -48,14 +48,20 @@ public:
         material_.baseColor = inUnitRange(
             source_.diffuse.value_or(hasMap ? Float3(1.0f) : material_.baseColor), notes_);
         material_.baseColorTexture = texture(source_.diffuseMap, TextureUse::reflectance);
+        const float passing = passingPart();
         if (source_.roughness || source_.metallic || !source_.roughnessMap.file.empty() ||
             !source_.metallicMap.file.empty())
             readMetallicRoughness();
+        else if (passing > 0.0f)
+            material_.roughness = 0;
         else
             makePhong(material_, inUnitRange(source_.specular.value_or(Float3(0.0f)), notes_),
                       source_.phongExponent.value_or(0.0f), hasMap);
         readEmission();
-        readOpacity();
+        if (passing > 0.0f)
+            readPassing(passing);
+        else
+            readOpacity();
         material_.normalTexture = texture(source_.normalMap, TextureUse::data);
         material_.normalScale = source_.normalMap.bumpFactor;
         material_.doubleSided = true;
@@ -63,6 +69,38 @@ public:
     }
 
 private:
+    /// "Refraction on", in the names of the models.
+    bool refracts() const { return source_.illumination == 6 || source_.illumination == 7; }
+
+    /// Which part of the light passes, by the models of glass (4, 9) and of refraction, whose
+    /// equations do not know "d".
+    float passingPart() {
+        const bool isGlass = source_.illumination == 4 || source_.illumination == 9;
+        const Float3 filter = source_.filter.value_or(Float3(1.0f));
+        const float passing = 1.0f - clamp01(source_.opacity.value_or(1.0f));
+        if (source_.opacityMap.file.empty() && !isBlack(filter)) {
+            if (refracts()) return passing > 0.0f ? passing : 1.0f;
+            if (isGlass && passing > 0.0f) return passing;
+        }
+        if (!isBlack(filter) && !(filter == Float3(1.0f)))
+            notes_.add(
+                "'Tf' of materials that let no light pass, by 'illum' and 'd', is left out.");
+        return 0;
+    }
+
+    /// The rest of the light meets the color of the surface. Ours have one color: that of both
+    /// parts together, divided by their luminance, which is exact for grays and for parts of 1.
+    void readPassing(float part) {
+        const Float3 passing = inUnitRange(source_.filter.value_or(Float3(1.0f)), notes_) * part;
+        const Float3 all = passing + material_.baseColor * (1.0f - part);
+        material_.baseColor = all;
+        material_.transmission = luminance(passing) / luminance(all);
+        material_.isSolid = refracts();
+        const float ior = source_.indexOfRefraction.value_or(material_.ior);
+        material_.ior = std::max(ior, 1.0f);
+        if (!(ior >= 1.0f)) notes_.add("Indices of refraction below 1 count as 1.");
+    }
+
     /// A factor that was not said is 1 where there is a picture.
     void readMetallicRoughness() {
         TextureMap roughness = texture(source_.roughnessMap, TextureUse::data);

@@ -17,7 +17,7 @@ namespace wellstrat::render {
 namespace {
 
 /// Statements that say nothing about what is rendered.
-constexpr std::string_view kWithoutEffect[] = {"illum", "ka", "map_aat", "map_ka", "sharpness"};
+constexpr std::string_view kWithoutEffect[] = {"ka", "map_aat", "map_ka", "sharpness"};
 
 /// Of textures.
 struct Option {
@@ -74,6 +74,10 @@ private:
             material.specular = color();
         else if (what == "ke")
             material.emission = color();
+        else if (what == "tf")
+            material.filter = color();
+        else if (what == "illum")
+            material.illumination = number().value_or(0.0f);
         else if (what == "ns")
             material.phongExponent = number();
         else if (what == "ni")
@@ -179,9 +183,7 @@ private:
         if (std::find(std::begin(kWithoutEffect), std::end(kWithoutEffect), what) !=
             std::end(kWithoutEffect))
             return;
-        const bool isNothing =
-            what == "tf" ? lines_.from(1) == "1 1 1" : numberOf(lines_.from(1)) == 0;
-        if (!isNothing)
+        if (numberOf(lines_.from(1)) != 0)
             notes_.add(fmt::format("'{}' in material libraries is left out.", lines_.words()[0]));
     }
 

@@ -26,7 +26,9 @@ struct MtlMap {
 /// What is not there was not said.
 struct MtlMaterial {
     std::string name;
+    float illumination = 0;                            ///< illum, the number of a model
     std::optional<Float3> diffuse, specular, emission; ///< Kd, Ks, Ke
+    std::optional<Float3> filter;                      ///< Tf
     std::optional<float> phongExponent;                ///< Ns
     std::optional<float> indexOfRefraction;            ///< Ni
     std::optional<float> opacity;                      ///< d, or 1 - Tr

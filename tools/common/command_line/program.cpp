@@ -55,6 +55,17 @@ CliError wrongNumber(const CLI::App& app, const CLI::ArgumentMismatch& error) {
     return CliError(text.substr(0, text.find(':')) + " needs a value after it");
 }
 
+/// Throws if there is an option or an argument that the sub-command does not know.
+void refuseUnknown(const CLI::App& command) {
+    for (const std::string& word : command.remaining()) {
+        if (word.size() < 2 || word[0] != '-') continue;
+        throw CliError(fmt::format("{0} has no option '{1}'; {0} --help lists them",
+                                   command.get_name(), word.substr(0, word.find('='))));
+    }
+    for (const std::string& word : command.remaining())
+        throw CliError(fmt::format("'{}' is an argument too many", word));
+}
+
 /// Lets threads keep the memory that they free for their next task. Given back to the system, it
 /// would be cleared each time, which takes a quarter of the time of a study.
 void keepFreedMemory() {
@@ -76,6 +87,7 @@ void answer(const CLI::App& app, const CLI::ParseError& stop) {
         throw wrongNumber(app, *mismatch);
     }
     if (app.get_subcommands().empty()) throw noSubcommand(app);
+    refuseUnknown(*app.get_subcommands().front());
     throw CliError(stop.what());
 }
 

@@ -58,12 +58,12 @@ void ProgressBar::show(double share, std::string_view detail) {
     if (!visible_) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     const Clock::time_point now = Clock::now();
-    if (now - last_ < kInterval || share <= start_) return;
+    if (now - last_ < kInterval || share < start_) return;
     last_ = now;
     drawn_ = true;
     const double elapsed = std::chrono::duration<double>(now - begin_).count();
     std::string text = fmt::format(" {:3.0f} %{}", 100 * share, detail);
-    if (elapsed >= kFirstEstimate) {
+    if (elapsed >= kFirstEstimate && share > start_) {
         text += fmt::format(", {} left", timeText(elapsed * (1 - share) / (share - start_)));
     }
     text = lineOf(label_, share, text, terminalWidth() - 1);

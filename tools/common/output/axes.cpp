@@ -12,12 +12,33 @@ namespace wellstrat::cli {
 namespace {
 
 constexpr double kMostTicks = 8;
+constexpr std::size_t kFewestTicks = 3;
+
+using Digits = std::vector<int>;
 
 /// "0.05", or "5·10^{-6}" where that has many zeros.
 std::string tickLabel(int digit, int exponent) {
     if (exponent >= -3 && exponent <= 4) return fmt::format("{:g}", digit * std::pow(10, exponent));
     return digit == 1 ? fmt::format("10^{{{}}}", exponent)
                       : fmt::format("{}\u00b710^{{{}}}", digit, exponent);
+}
+
+/// Those of these digits times powers of ten that are in the range of so many decades.
+std::vector<std::string> decimalTicks(const AxisRange& range, double decades,
+                                      const Digits& digits) {
+    const int step = static_cast<int>(std::ceil((decades + 1) / kMostTicks));
+    std::vector<std::string> ticks;
+    const int first = static_cast<int>(std::floor(std::log10(range.low())));
+    for (int exponent = first; exponent <= std::log10(range.high()); exponent += step) {
+        for (const int digit : digits) {
+            const double tick = digit * std::pow(10, exponent);
+            const bool isInside =
+                tick > range.low() * (1 - 1e-9) && tick < range.high() * (1 + 1e-9);
+            if (isInside)
+                ticks.push_back(fmt::format("'{}' {:.9g}", tickLabel(digit, exponent), tick));
+        }
+    }
+    return ticks;
 }
 
 std::string commandOf(const char* axis, const AxisRange& range,
@@ -43,17 +64,11 @@ std::string doublingAxis(const char* axis, const AxisRange& range) {
 
 std::string decimalAxis(const char* axis, const AxisRange& range) {
     const double decades = std::log10(range.high() / range.low());
-    const int step = static_cast<int>(std::ceil((decades + 1) / kMostTicks));
     std::vector<std::string> ticks;
-    const int first = static_cast<int>(std::floor(std::log10(range.low())));
-    for (int exponent = first; exponent <= std::log10(range.high()); exponent += step) {
-        for (const int digit : {1, 2, 5}) {
-            const double tick = digit * std::pow(10, exponent);
-            const bool isInside =
-                tick > range.low() * (1 - 1e-9) && tick < range.high() * (1 + 1e-9);
-            if (!isInside || (digit != 1 && decades > 2.5)) continue;
-            ticks.push_back(fmt::format("'{}' {:.9g}", tickLabel(digit, exponent), tick));
-        }
+    if (decades > 2.5) return commandOf(axis, range, decimalTicks(range, decades, {1}));
+    for (const auto& digits : {Digits{1, 2, 5}, Digits{1, 2, 3, 5, 7}}) {
+        ticks = decimalTicks(range, decades, digits);
+        if (ticks.size() >= kFewestTicks) break;
     }
     return commandOf(axis, range, ticks);
 }

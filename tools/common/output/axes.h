@@ -28,7 +28,8 @@ private:
 /// Commands of gnuplot for an axis, "x" or "y", of numbers of samples: with ticks at powers of two.
 std::string doublingAxis(const char* axis, const AxisRange& range);
 
-/// The same with ticks at 1, 10, 100, ..., and at 2, 5, 20, ... where these are few.
+/// The same with ticks at 1, 10, 100, ..., at 2, 5, 20, ... where these are few, and at 3, 7, 30,
+/// ... where those are.
 std::string decimalAxis(const char* axis, const AxisRange& range);
 
 } // namespace wellstrat::cli

@@ -9,6 +9,9 @@
 
 namespace wellstrat::cli {
 
+/// The legend stands below the axes, where no curve can be.
+constexpr auto kLegendBelow = "set key below samplen 2 spacing 1 height 1 noenhanced\n";
+
 /// The color of curve `place` of a plot as gnuplot takes it, such as "0x4477aa".
 std::string curveColor(std::size_t place);
 

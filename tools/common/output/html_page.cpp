@@ -65,7 +65,9 @@ tbody td, tbody th { border-bottom: 1px solid var(--line); }
 @media (max-width: 50rem) { main { padding: 1.5rem 1rem 3rem; }
   .pictures { gap: .6rem; }
   .columns-2 .picture, .columns-3 .picture { width: 100%; }
-  .columns-4 .picture { width: calc(50% - .3rem); } }
+  .columns-4 .picture { width: calc(50% - .3rem); }
+  th, td { padding-right: .7rem; }
+  tbody th, tbody td:not(.number) { white-space: normal; } }
 @media print { main { max-width: none; padding: 0; } figure, tr { break-inside: avoid; } }
 )";
 

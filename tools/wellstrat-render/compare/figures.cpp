@@ -16,10 +16,7 @@
 namespace wellstrat::cli {
 namespace {
 
-// The legend stands below, where no curve can be.
-constexpr auto kStyle = R"(set grid lc rgb 0xdddddd lt 1
-set key below samplen 2 spacing 1 noenhanced
-)";
+constexpr auto kGrid = "set grid lc rgb 0xdddddd lt 1\n";
 
 constexpr auto kSpectrumStyle = R"(set xrange [0:0.5]
 set yrange [0:2<*]
@@ -66,8 +63,8 @@ Plot errorPlot(const Comparison& comparison, const ErrorPanel& panel) {
             y.add(error);
         }
     }
-    return {fmt::format("{}set title '{}'\nset xlabel '{}'\n{}{}plot {}", kStyle, panel.title,
-                        panel.overTime ? "seconds" : "samples of a pixel",
+    return {fmt::format("{}{}set title '{}'\nset xlabel '{}'\n{}{}plot {}", kGrid, kLegendBelow,
+                        panel.title, panel.overTime ? "seconds" : "samples of a pixel",
                         panel.overTime ? decimalAxis("x", x) : doublingAxis("x", x),
                         decimalAxis("y", y), curves(comparison, "linespoints lw 1.5 pt 7 ps 0.5")),
             data.take(), kWidth, heightOf(comparison)};
@@ -81,8 +78,8 @@ Plot spectrumPlot(const Comparison& comparison, std::size_t image, const std::st
             data.line("{:.9g} {:.9g}", ring.frequency, ring.power);
         }
     }
-    return {fmt::format("{}{}set title '{}'\nplot 1 lc rgb 0x999999 notitle, {}", kStyle,
-                        kSpectrumStyle, title, curves(comparison, "lines lw 1.5")),
+    return {fmt::format("{}{}{}set title '{}'\nplot 1 lc rgb 0x999999 notitle, {}", kGrid,
+                        kLegendBelow, kSpectrumStyle, title, curves(comparison, "lines lw 1.5")),
             data.take(), kWidth, heightOf(comparison)};
 }
 

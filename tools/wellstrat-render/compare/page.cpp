@@ -127,8 +127,8 @@ HtmlTable tableOfErrors(const Comparison& comparison) {
                     row.push_back(fmt::format(fmt::runtime(format), number));
                 }
             };
-            addNumbers("{:.4e}", {image.error.rmse, image.error.relativeMse});
-            addNumbers("{:.4e}", image.error.filtered);
+            addNumbers("{:#.3g}", {image.error.rmse, image.error.relativeMse});
+            addNumbers("{:#.3g}", image.error.filtered);
             addNumbers("{:.2f}", {image.seconds});
             addNumbers("{:.1f}", {equivalentSamples(baseline, image.error.rmse)});
             if (image.uncertainty) {

@@ -8,7 +8,8 @@
 #include <tbb/parallel_for_each.h>
 
 #include <algorithm>
-#include <atomic>
+#include <mutex>
+#include <numeric>
 
 namespace wellstrat::cli {
 namespace {
@@ -86,55 +87,68 @@ void measureSpectrum(const MeasuredSet& set, PlaneSpectrum& spectrum) {
     spectrum.peak = highestPeak(spectrum.periodogram);
 }
 
-using Tasks = std::vector<std::function<void()>>;
+/// What may be done in any order, at once.
+struct Task {
+    double cost; ///< about the seconds for 2^20 points in 3D, by scripts/bench --analysis
+    std::function<void()> run;
+};
+using Tasks = std::vector<Task>;
+
+constexpr double kNetCost = 0.5, kStarCost = 13, kL2Cost = 14, kDistanceCost = 0.5, kPairCost = 10,
+                 kPeriodogramCost = 0.3, kIndependenceCost = 2;
 
 void addNetTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (!isPowerOfTwo(points.count())) return;
     for (Projection& projection : netProjections(points.dims())) {
         found.nets.push_back({std::move(projection), 0, {}, {}});
     }
-    for (NetQuality& net : found.nets) tasks.push_back([&] { measureNet(points, net); });
+    for (NetQuality& net : found.nets)
+        tasks.push_back({kNetCost, [&] { measureNet(points, net); }});
 }
 
 void addL2Tasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (points.dims() <= kMaxFastL2Dimensions) {
-        tasks.push_back([&] {
-            std::vector<L2Kind> kinds(kL2Kinds.size());
-            std::transform(kL2Kinds.begin(), kL2Kinds.end(), kinds.begin(),
-                           [](const NamedL2& named) { return named.kind; });
-            const std::vector<double> values = l2Discrepancies(points, kinds);
-            std::copy(values.begin(), values.end(), found.l2.begin());
-        });
+        tasks.push_back({kL2Cost, [&] {
+                             std::vector<L2Kind> kinds(kL2Kinds.size());
+                             std::transform(kL2Kinds.begin(), kL2Kinds.end(), kinds.begin(),
+                                            [](const NamedL2& named) { return named.kind; });
+                             const std::vector<double> values = l2Discrepancies(points, kinds);
+                             std::copy(values.begin(), values.end(), found.l2.begin());
+                         }});
         return;
     }
     if (points.count() > kMaxSquarePoints) return;
     for (std::size_t k = 0; k < kL2Kinds.size(); ++k) {
-        tasks.push_back([&, k] { found.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); });
+        tasks.push_back(
+            {kL2Cost, [&, k] { found.l2[k] = l2Discrepancy(points, kL2Kinds[k].kind); }});
     }
 }
 
 void addStarTask(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (points.dims() > kMaxStarDimensions) return;
-    tasks.push_back([&] {
-        const std::size_t sweeps = std::max(kStarWork / points.count(), kMinStarSweeps);
-        found.star = starDiscrepancy(points, sweeps);
-    });
+    tasks.push_back({kStarCost, [&] {
+                         const std::size_t sweeps =
+                             std::max(kStarWork / points.count(), kMinStarSweeps);
+                         found.star = starDiscrepancy(points, sweeps);
+                     }});
 }
 
 void addDistanceTasks(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
-    tasks.push_back([&] { found.onCube = nearestDistances(points, Topology::cube); });
-    tasks.push_back([&] { found.onTorus = nearestDistances(points, Topology::torus); });
+    tasks.push_back(
+        {kDistanceCost, [&] { found.onCube = nearestDistances(points, Topology::cube); }});
+    tasks.push_back(
+        {kDistanceCost, [&] { found.onTorus = nearestDistances(points, Topology::torus); }});
 }
 
 void addPairTask(const UnitPoints& points, SetMeasures& found, Tasks& tasks) {
     if (points.dims() > kMaxPairDimensions || points.count() < 2) return;
-    tasks.push_back([&] {
-        const double range = usualPairRange(points.count(), points.dims());
-        found.pairs = pairCorrelation(points, range, kPairBins);
-    });
+    tasks.push_back({kPairCost, [&] {
+                         const double range = usualPairRange(points.count(), points.dims());
+                         found.pairs = pairCorrelation(points, range, kPairBins);
+                     }});
 }
 
-/// What is measured of each set. Those that take longest come first.
+/// What is measured of each set.
 void addSetTasks(const UnitPoints& points, const MeasureChoice& choice, SetMeasures& found,
                  Tasks& tasks) {
     if (choice.star) addStarTask(points, found, tasks);
@@ -150,37 +164,56 @@ void addSpectrumTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
         result.spectra.push_back(
             {plane, Periodogram(maxFrequencyFor(result.count, planes.size())), {}, {}});
     }
+    const double cost = kPeriodogramCost * static_cast<double>(set.realizations);
     for (PlaneSpectrum& spectrum : result.spectra) {
-        tasks.push_back([&] { measureSpectrum(set, spectrum); });
+        tasks.push_back({cost, [&] { measureSpectrum(set, spectrum); }});
     }
 }
 
-void addIndependenceTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
-    if (result.count < 3) return;
-    for (const StreamFamily& family : set.families) {
-        result.independence.push_back({family.name, {}, usualGridSide(result.count), {}});
-    }
-    for (std::size_t f = 0; f < result.independence.size(); ++f) {
-        tasks.push_back([&, f] {
-            FamilyIndependence& family = result.independence[f];
-            const std::vector<SampleStream> streams = set.families[f].streams();
-            for (const SampleStream& stream : streams) family.streams.push_back(stream.name);
-            family.report = testIndependence(streams, family.gridSide, kWorstPairs);
-        });
-    }
+/// One after the other: the streams of a family take the most memory of all.
+void addIndependenceTask(const MeasuredSet& set, Measures& result, Tasks& tasks) {
+    if (result.count < 3 || set.families.empty()) return;
+    tasks.push_back({kIndependenceCost, [&] {
+                         const unsigned gridSide = usualGridSide(result.count);
+                         for (const StreamFamily& source : set.families) {
+                             const std::vector<SampleStream> streams = source.streams();
+                             FamilyIndependence family{source.name, {}, gridSide, {}};
+                             for (const SampleStream& stream : streams)
+                                 family.streams.push_back(stream.name);
+                             family.report = testIndependence(streams, gridSide, kWorstPairs);
+                             result.independence.push_back(std::move(family));
+                         }
+                     }});
 }
 
 /// A task for each set, one after the other of its measures in it.
 void addNamedSetTasks(const MeasuredSet& set, Measures& result, Tasks& tasks) {
     for (const std::string& name : set.names) result.sets.push_back({name, {}});
     for (std::size_t r = 0; r < result.sets.size(); ++r) {
-        tasks.push_back([&, r] {
-            const UnitPoints points = set.points(r);
-            Tasks ofSet;
-            addSetTasks(points, result.choice, result.sets[r].found, ofSet);
-            for (const std::function<void()>& task : ofSet) task();
-        });
+        tasks.push_back({kStarCost + kL2Cost + kPairCost, [&, r] {
+                             const UnitPoints points = set.points(r);
+                             Tasks ofSet;
+                             addSetTasks(points, result.choice, result.sets[r].found, ofSet);
+                             for (const Task& task : ofSet) task.run();
+                         }});
     }
+}
+
+/// Those that take longest first, so that no processor waits for long at the end.
+void runAll(Tasks& tasks, const std::function<void(double)>& progress) {
+    const auto plus = [](double sum, const Task& task) { return sum + task.cost; };
+    const double all = std::accumulate(tasks.begin(), tasks.end(), 0.0, plus);
+    std::stable_sort(tasks.begin(), tasks.end(),
+                     [](const Task& a, const Task& b) { return a.cost > b.cost; });
+    double done = 0;
+    std::mutex mutex;
+    if (progress) progress(0);
+    tbb::parallel_for_each(tasks, [&](const Task& task) {
+        task.run();
+        const std::lock_guard<std::mutex> lock(mutex);
+        done += task.cost;
+        if (progress) progress(std::min(done / all, 1.0));
+    });
 }
 
 } // namespace
@@ -206,12 +239,8 @@ Measures measure(const MeasuredSet& set, const MeasureChoice& choice,
     if (set.names.empty()) addSetTasks(points, choice, result, tasks);
     if (choice.spectra) addSpectrumTasks(set, result, tasks);
     addNamedSetTasks(set, result, tasks);
-    if (choice.independence) addIndependenceTasks(set, result, tasks);
-    std::atomic<std::size_t> done{0};
-    tbb::parallel_for_each(tasks, [&](const std::function<void()>& task) {
-        task();
-        if (progress) progress(static_cast<double>(++done) / static_cast<double>(tasks.size()));
-    });
+    if (choice.independence) addIndependenceTask(set, result, tasks);
+    runAll(tasks, progress);
     if (!result.sets.empty()) static_cast<SetMeasures&>(result) = result.sets.front().found;
     return result;
 }

@@ -70,8 +70,8 @@ public:
         const std::size_t count = (size() - setBegin_) / dims();
         if (sets_ == 0) setPoints_ = count;
         if (count != setPoints_) {
-            fail("{}: set {} ends with {} points, the sets before have {}", place(), sets_ + 1,
-                 count, setPoints_);
+            fail("{}: set {} ends with {} points, the sets before have {}; all need as many",
+                 place(), sets_ + 1, count, setPoints_);
         }
         ++sets_;
         setBegin_ = size();

@@ -16,7 +16,6 @@ namespace {
 constexpr auto kCurves = R"(set tics nomirror
 set border 3
 set grid lc rgb 0xdddddd lt 1
-set key below samplen 2 spacing 1 noenhanced
 set autoscale xfix
 )";
 
@@ -40,6 +39,9 @@ set grid xtics lc rgb 0xdddddd lt 1
 set offsets 0, graph 0.08, 0, 0
 )";
 
+/// The range of the data, unless they have next to no power.
+constexpr auto kDecibels = "[-60<*:*]";
+
 constexpr unsigned kCurvesWidth = 600, kCurvesHeight = 460;
 
 /// A plot command with a curve for each generator: column `column` of the set `set`.
@@ -54,14 +56,13 @@ std::string curves(const std::vector<ReportSubject>& subjects, const char* set, 
 }
 
 /// Column `column` of the radial spectra of (x, y).
-Plot ringsFigure(const std::vector<ReportSubject>& subjects, const char* title, const char* range,
-                 int column) {
+Plot ringsFigure(const std::vector<ReportSubject>& subjects, const char* title, int column) {
     PlotData data;
     for (std::size_t g = 0; g < subjects.size(); ++g) {
         writeRadial(data, subjects[g].inCube.spectra.front().radial, g);
     }
-    return {fmt::format("{}set xlabel 'frequency'\nset title '{}'\nplot [] {} {}", kCurves, title,
-                        range, curves(subjects, "radial", column)),
+    return {fmt::format("{}{}set xlabel 'frequency'\nset title '{}'\nplot [] {} {}", kCurves,
+                        kLegendBelow, title, kDecibels, curves(subjects, "radial", column)),
             data.take(), kCurvesWidth, kCurvesHeight};
 }
 
@@ -87,11 +88,11 @@ Plot periodogramFigure(const ReportSubject& subject) {
 }
 
 Plot radialFigure(const std::vector<ReportSubject>& subjects) {
-    return ringsFigure(subjects, "radial mean (dB)", "[-40:10]", 2);
+    return ringsFigure(subjects, "radial mean (dB)", 2);
 }
 
 Plot anisotropyFigure(const std::vector<ReportSubject>& subjects) {
-    return ringsFigure(subjects, "anisotropy (dB)", "[-30:30]", 3);
+    return ringsFigure(subjects, "anisotropy (dB)", 3);
 }
 
 Plot pairsFigure(const std::vector<ReportSubject>& subjects) {
@@ -100,9 +101,9 @@ Plot pairsFigure(const std::vector<ReportSubject>& subjects) {
         writePairs(data, *subjects[g].inPlane.pairs, g);
     }
     const std::string script = fmt::format(
-        "{}set xlabel 'distance'\nset title 'pair correlation of (x, y)'\n"
+        "{}{}set xlabel 'distance'\nset title 'pair correlation of (x, y)'\n"
         "plot [] [0:2] {}",
-        kCurves, curves(subjects, "pairs", 2));
+        kCurves, kLegendBelow, curves(subjects, "pairs", 2));
     return {script, data.take(), kCurvesWidth, kCurvesHeight};
 }
 

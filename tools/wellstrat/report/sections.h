@@ -62,7 +62,7 @@ void addNets(ReportWriter& report);
 void addDiscrepancies(ReportWriter& report);
 void addSpeed(ReportWriter& report, const BenchResults& bench);
 
-/// Small numbers as all tables show them: three digits and an exponent.
-inline std::string errorNumber(double value) { return fmt::format("{:.2e}", value); }
+/// Small numbers as all tables show them: three digits.
+inline std::string errorNumber(double value) { return fmt::format("{:#.3g}", value); }
 
 } // namespace wellstrat::cli

@@ -18,11 +18,9 @@ constexpr unsigned kPanelWidth = 480;
 constexpr unsigned kPanelHeight = 340;
 constexpr unsigned kLegendLine = 20;
 
-// The legend stands below, where no curve can be.
 constexpr auto kStyle = R"(set grid lc rgb 0xdddddd lt 1
 set xlabel 'points'
 set ylabel 'RMSE'
-set key below samplen 2 spacing 1 noenhanced
 set style fill transparent solid 0.2 noborder
 )";
 
@@ -83,7 +81,7 @@ Plot studyFigure(const StudyPlan& plan, const StudyResult& result,
     const std::size_t panels = plan.integrands.size();
     const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(double(panels))));
     const std::size_t rows = (panels + columns - 1) / columns;
-    std::string data, script = kStyle;
+    std::string data, script = kStyle + std::string(kLegendBelow);
     fmt::format_to(std::back_inserter(script),
                    "set multiplot layout {},{} title '{}, 95 % bands'\n", rows, columns,
                    studyTitle(plan, result));
@@ -97,7 +95,8 @@ Plot studyFigure(const StudyPlan& plan, const StudyResult& result,
 
 Plot studyPanel(const StudyPlan& plan, const std::vector<StudyCurve>& curves, std::size_t first) {
     std::string data;
-    const std::string script = kStyle + panelScript(plan, curves, first, data);
+    const std::string script =
+        kStyle + std::string(kLegendBelow) + panelScript(plan, curves, first, data);
     return {script, data, kPanelWidth, panelHeight(plan)};
 }
 
