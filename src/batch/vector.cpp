@@ -17,6 +17,7 @@
 
 #include "batch/blue_vector.h"
 #include "batch/sequence_vector.h"
+#include "batch/table_words.h"
 #include "batch/vector_words.h"
 
 #include <type_traits>
@@ -53,7 +54,7 @@ HWY_INLINE V reverseLowByte(V x) {
     const auto table = hn::LoadDup128(bytes, kReversed);
     const V nibble = constant(15);
     const auto reversed = [&](V nibbles) {
-        return hn::BitCast(kWords, hn::TableLookupBytes(table, hn::BitCast(bytes, nibbles)));
+        return hn::BitCast(kWords, lookUpBytes(table, hn::BitCast(bytes, nibbles)));
     };
     const V low = reversed(hn::And(x, nibble));
     const V high = reversed(hn::And(hn::ShiftRight<4>(x), nibble));
@@ -97,19 +98,6 @@ HWY_INLINE V offsetOf(V tableWord, V groupStart) {
 
 HWY_INLINE V groupStartOf(V sampleid) {
     return hn::And(sampleid, constant(kTableSize - kGroupSize));
-}
-
-/// The lower and the upper half of a vector of words, each word in 64 bits.
-HWY_INLINE P lowerHalf(V x) { return hn::PromoteTo(kPoints, hn::LowerHalf(x)); }
-HWY_INLINE P upperHalf(V x) { return hn::PromoteTo(kPoints, hn::UpperHalf(hn::Half<Words>(), x)); }
-
-HWY_INLINE P shiftXY(P seed) {
-    constexpr uint64_t kMultiplier = stream1::shiftXY(1);
-    static_assert(stream1::shiftXY(3) == 3 * kMultiplier, "the seed times a constant");
-    const V words = hn::BitCast(kWords, seed);
-    const P lower = hn::MulEven(words, constant(static_cast<uint32_t>(kMultiplier)));
-    const P upper = hn::MulEven(words, constant(static_cast<uint32_t>(kMultiplier >> 32)));
-    return hn::Add(lower, hn::ShiftLeft<32>(upper));
 }
 
 // The orders of samples. offset(seed, sampleid) is where the points of samples below `end` lie. For
@@ -208,7 +196,7 @@ private:
     using ByteVector = hn::Vec<Bytes>;
 
     static HWY_INLINE V found(ByteVector table, V digits) {
-        return hn::BitCast(kWords, hn::TableLookupBytes(table, hn::BitCast(Bytes(), digits)));
+        return hn::BitCast(kWords, lookUpBytes(table, hn::BitCast(Bytes(), digits)));
     }
 
     ByteVector low_[2][3], high_[2];
@@ -393,27 +381,26 @@ public:
 
     HWY_INLINE void store(Float2* xis) const {
         float* floats = reinterpret_cast<float*>(xis);
-        const V lower = xyOf(wordsAt(kPoints, words_, lower_), lowerHalf(seed_));
-        const V upper = xyOf(wordsAt(kPoints, words_, upper_), upperHalf(seed_));
-        hn::StoreU(toUnitFloat(lower), kFloats, floats);
-        hn::StoreU(toUnitFloat(upper), kFloats, floats + kLanes);
+        const Halves xy = xyOf(wordsAt(kPoints, words_, lower_), wordsAt(kPoints, words_, upper_));
+        hn::StoreU(toUnitFloat(xy.lower), kFloats, floats);
+        hn::StoreU(toUnitFloat(xy.upper), kFloats, floats + kLanes);
     }
 
     HWY_INLINE void store(Float3* xis) const {
         P lowerXY, lowerZ, upperXY, upperZ;
         pointsAt(kPoints, words_, lower_, lowerXY, lowerZ);
         pointsAt(kPoints, words_, upper_, upperXY, upperZ);
-        const V lower = xyOf(lowerXY, lowerHalf(seed_)), upper = xyOf(upperXY, upperHalf(seed_));
-        const F x = toUnitFloat(hn::ConcatEven(kWords, upper, lower));
-        const F y = toUnitFloat(hn::ConcatOdd(kWords, upper, lower));
+        const Halves xy = xyOf(lowerXY, upperXY);
+        const F x = toUnitFloat(hn::ConcatEven(kWords, xy.upper, xy.lower));
+        const F y = toUnitFloat(hn::ConcatOdd(kWords, xy.upper, xy.lower));
         hn::StoreInterleaved3(x, y, zOf(lowerZ, upperZ), kFloats, reinterpret_cast<float*>(xis));
     }
 
 private:
-    /// x and y of half a vector of points in turn, as memory has them.
-    static HWY_INLINE V xyOf(P words, P seed) {
-        const P product = hn::MulEven(hn::BitCast(kWords, words), constant(kPairMultiplier));
-        return hn::BitCast(kWords, hn::Xor(product, shiftXY(seed)));
+    /// x and y of the points in turn, as memory has them.
+    HWY_INLINE Halves xyOf(P lower, P upper) const {
+        const Halves words = tableXY(lower, upper), shift = shiftXY(seed_);
+        return {hn::Xor(words.lower, shift.lower), hn::Xor(words.upper, shift.upper)};
     }
 
     HWY_INLINE F zOf(P lower, P upper) const {
