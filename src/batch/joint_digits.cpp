@@ -3,13 +3,14 @@
 #include "batch/joint_digits.h"
 
 #include "core/joint_place.h"
+#include "core/made_table.h"
 
 namespace wellstrat {
 inline namespace stream1 {
 namespace batch {
 namespace {
 
-constexpr JointDigits makeDigits(unsigned slot) {
+WELLSTRAT_MADE JointDigits makeDigits(unsigned slot) {
     JointDigits digits{};
     for (unsigned k = 0; k < 4; ++k) {
         for (unsigned digit = 0; digit < 8; ++digit) {
@@ -32,7 +33,7 @@ constexpr JointDigits makeDigits(unsigned slot) {
 
 } // namespace
 
-constexpr JointDigits kJointDigits[kJointSlots] = {
+WELLSTRAT_MADE const JointDigits kJointDigits[kJointSlots] = {
     makeDigits(0),  makeDigits(1),  makeDigits(2),  makeDigits(3), makeDigits(4),  makeDigits(5),
     makeDigits(6),  makeDigits(7),  makeDigits(8),  makeDigits(9), makeDigits(10), makeDigits(11),
     makeDigits(12), makeDigits(13), makeDigits(14), makeDigits(15)};

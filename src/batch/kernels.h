@@ -21,6 +21,11 @@ namespace batch {
 template <typename Sample>
 using DrawTables = void (*)(std::size_t n, const uint32_t* words, SampleCtx* contexts,
                             unsigned step, Sample* xis);
+
+/// Samples `first` to first + n - 1 of a pattern, all below kStratifiedSamples.
+template <typename Sample>
+using DrawRun = void (*)(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
+                         Sample* xis);
 template <typename Sample>
 using DrawJoint = void (*)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                            unsigned slot, unsigned split, Sample* xis);
@@ -35,6 +40,9 @@ struct Kernels {
     DrawTables<float> draw1D;
     DrawTables<Float2> draw2D;
     DrawTables<Float3> draw3D;
+    DrawRun<float> drawRun1D;
+    DrawRun<Float2> drawRun2D;
+    DrawRun<Float3> drawRun3D;
     DrawJoint<float> drawJoint1D;
     DrawJoint<Float2> drawJoint2D;
     DrawJoint<Float3> drawJoint3D;

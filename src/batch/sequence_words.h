@@ -32,8 +32,7 @@ HWY_INLINE V bytesOf(V x) {
         k0,     k1,     k2,     k3,     k0 + 4,  k1 + 4,  k2 + 4,  k3 + 4,
         k0 + 8, k1 + 8, k2 + 8, k3 + 8, k0 + 12, k1 + 12, k2 + 12, k3 + 12};
     constexpr Bytes bytes;
-    return hn::BitCast(
-        kWords, hn::TableLookupBytesOr0(hn::BitCast(bytes, x), hn::LoadDup128(bytes, kIndices)));
+    return hn::BitCast(kWords, lookUpBytes(hn::BitCast(bytes, x), hn::LoadDup128(bytes, kIndices)));
 }
 
 /// The nibbles of all bytes of a vector of words.
@@ -47,10 +46,9 @@ HWY_INLINE Nibbles nibblesOf(V x) {
 
 HWY_INLINE V mapped(const ByteMap& map, Nibbles nibbles) {
     constexpr Bytes bytes;
-    const auto low =
-        hn::TableLookupBytes(hn::LoadDup128(bytes, map.low), hn::BitCast(bytes, nibbles.low));
+    const auto low = lookUpBytes(hn::LoadDup128(bytes, map.low), hn::BitCast(bytes, nibbles.low));
     const auto high =
-        hn::TableLookupBytes(hn::LoadDup128(bytes, map.high), hn::BitCast(bytes, nibbles.high));
+        lookUpBytes(hn::LoadDup128(bytes, map.high), hn::BitCast(bytes, nibbles.high));
     return hn::BitCast(kWords, hn::Xor(low, high));
 }
 

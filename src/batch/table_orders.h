@@ -33,7 +33,7 @@ HWY_INLINE V reverseLowByte(V x) {
     const auto table = hn::LoadDup128(bytes, kReversed);
     const V nibble = constant(15);
     const auto reversed = [&](V nibbles) {
-        return hn::BitCast(kWords, hn::TableLookupBytes(table, hn::BitCast(bytes, nibbles)));
+        return hn::BitCast(kWords, lookUpBytes(table, hn::BitCast(bytes, nibbles)));
     };
     const V low = reversed(hn::And(x, nibble));
     const V high = reversed(hn::And(hn::ShiftRight<4>(x), nibble));
@@ -92,7 +92,7 @@ public:
         : sampleid_(hn::Zero(kWords)), start_(sampleid_), row_(sampleid_), blockStep_(sampleid_) {}
 
     HWY_INLINE V offset(V seed, V sampleid) {
-        if (!hn::AllTrue(kWords, hn::Eq(sampleid, sampleid_))) {
+        if (!same(sampleid, sampleid_)) {
             sampleid_ = sampleid;
             start_ = shuffleStart(sampleid);
             row_ = hn::Mul(groupStartOf(sampleid), constant(kTableCount));
@@ -175,7 +175,7 @@ private:
     using ByteVector = hn::Vec<Bytes>;
 
     static HWY_INLINE V found(ByteVector table, V digits) {
-        return hn::BitCast(kWords, hn::TableLookupBytes(table, hn::BitCast(Bytes(), digits)));
+        return hn::BitCast(kWords, lookUpBytes(table, hn::BitCast(Bytes(), digits)));
     }
 
     ByteVector low_[2][3], high_[2];
@@ -189,7 +189,7 @@ public:
     /// Of the low 12 bits of `index`; above bit 11 anything. What the last vector of indices gave
     /// is kept, since those of a coherent batch are all the same.
     HWY_INLINE V find(V seed, V index) {
-        if (!hn::AllTrue(kWords, hn::Eq(index, index_))) {
+        if (!same(index, index_)) {
             index_ = index;
             both_ = orders_.both(index);
         }

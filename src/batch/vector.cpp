@@ -17,6 +17,7 @@
 #include "batch/blue_vector.h"
 #include "batch/sequence_vector.h"
 #include "batch/table_orders.h"
+#include "batch/table_words.h"
 
 #include <type_traits>
 
@@ -43,19 +44,6 @@ HWY_INLINE V hashPair(V a, V b) { return mixBits(hn::Add(permuteBitsByKey(b, a),
 
 HWY_INLINE V derivePattern(V patternid, DerivationKey key) {
     return hn::Mul(hn::Xor(patternid, constant(key.mask)), constant(key.multiplier));
-}
-
-/// The lower and the upper half of a vector of words, each word in 64 bits.
-HWY_INLINE P lowerHalf(V x) { return hn::PromoteTo(kPoints, hn::LowerHalf(x)); }
-HWY_INLINE P upperHalf(V x) { return hn::PromoteTo(kPoints, hn::UpperHalf(hn::Half<Words>(), x)); }
-
-HWY_INLINE P shiftXY(P seed) {
-    constexpr uint64_t kMultiplier = stream1::shiftXY(1);
-    static_assert(stream1::shiftXY(3) == 3 * kMultiplier, "the seed times a constant");
-    const V words = hn::BitCast(kWords, seed);
-    const P lower = hn::MulEven(words, constant(static_cast<uint32_t>(kMultiplier)));
-    const P upper = hn::MulEven(words, constant(static_cast<uint32_t>(kMultiplier >> 32)));
-    return hn::Add(lower, hn::ShiftLeft<32>(upper));
 }
 
 /// Random samples, as random.h has them.
@@ -114,12 +102,38 @@ HWY_INLINE void pointsAt(D d, const uint32_t* words, const uint32_t* offsets, hn
     }
 }
 
-/// One vector of samples: of the points at `offsets`, for patterns with these seeds. By single
-/// loads: gather instructions take longer (docs/decisions/0013-cheaper-draws.md).
+/// What is XORed to points, for a vector of seeds.
+class Shifts {
+public:
+    HWY_INLINE explicit Shifts(V seed) : seed_(seed) {}
+
+    HWY_INLINE Halves xy() const { return shiftXY(seed_); }
+    HWY_INLINE V z() const { return hn::Mul(seed_, constant(digitalShift(1, Coordinate::z))); }
+
+private:
+    V seed_;
+};
+
+/// The same for one pattern.
+class PatternShift {
+public:
+    HWY_INLINE explicit PatternShift(V seed) : xy_(Shifts(seed).xy()), z_(Shifts(seed).z()) {}
+
+    HWY_INLINE Halves xy() const { return xy_; }
+    HWY_INLINE V z() const { return z_; }
+
+private:
+    Halves xy_;
+    V z_;
+};
+
+/// One vector of samples: of the points at `offsets`, shifted. By single loads: gather instructions
+/// take longer (docs/decisions/0013-cheaper-draws.md).
+template <typename Shift>
 class Samples {
 public:
-    HWY_INLINE Samples(const uint32_t* words, V seed, const uint32_t* offsets)
-        : words_(words), seed_(seed), lower_(offsets), upper_(offsets + kLanes / 2) {}
+    HWY_INLINE Samples(const uint32_t* words, Shift shift, const uint32_t* offsets)
+        : words_(words), shift_(shift), lower_(offsets), upper_(offsets + kLanes / 2) {}
 
     HWY_INLINE void store(float* xis) const {
         const uint32_t* z = words_ + kTablePoints;
@@ -128,38 +142,36 @@ public:
 
     HWY_INLINE void store(Float2* xis) const {
         float* floats = reinterpret_cast<float*>(xis);
-        const V lower = xyOf(wordsAt(kPoints, words_, lower_), lowerHalf(seed_));
-        const V upper = xyOf(wordsAt(kPoints, words_, upper_), upperHalf(seed_));
-        hn::StoreU(toUnitFloat(lower), kFloats, floats);
-        hn::StoreU(toUnitFloat(upper), kFloats, floats + kLanes);
+        const Halves xy = xyOf(wordsAt(kPoints, words_, lower_), wordsAt(kPoints, words_, upper_));
+        hn::StoreU(toUnitFloat(xy.lower), kFloats, floats);
+        hn::StoreU(toUnitFloat(xy.upper), kFloats, floats + kLanes);
     }
 
     HWY_INLINE void store(Float3* xis) const {
         P lowerXY, lowerZ, upperXY, upperZ;
         pointsAt(kPoints, words_, lower_, lowerXY, lowerZ);
         pointsAt(kPoints, words_, upper_, upperXY, upperZ);
-        const V lower = xyOf(lowerXY, lowerHalf(seed_)), upper = xyOf(upperXY, upperHalf(seed_));
-        const F x = toUnitFloat(hn::ConcatEven(kWords, upper, lower));
-        const F y = toUnitFloat(hn::ConcatOdd(kWords, upper, lower));
+        const Halves xy = xyOf(lowerXY, upperXY);
+        const F x = toUnitFloat(hn::ConcatEven(kWords, xy.upper, xy.lower));
+        const F y = toUnitFloat(hn::ConcatOdd(kWords, xy.upper, xy.lower));
         hn::StoreInterleaved3(x, y, zOf(lowerZ, upperZ), kFloats, reinterpret_cast<float*>(xis));
     }
 
 private:
-    /// x and y of half a vector of points in turn, as memory has them.
-    static HWY_INLINE V xyOf(P words, P seed) {
-        const P product = hn::MulEven(hn::BitCast(kWords, words), constant(kPairMultiplier));
-        return hn::BitCast(kWords, hn::Xor(product, shiftXY(seed)));
+    /// x and y of the points in turn, as memory has them.
+    HWY_INLINE Halves xyOf(P lower, P upper) const {
+        const Halves words = tableXY(lower, upper), shift = shift_.xy();
+        return {hn::Xor(words.lower, shift.lower), hn::Xor(words.upper, shift.upper)};
     }
 
     HWY_INLINE F zOf(P lower, P upper) const {
         const V words =
             hn::ConcatEven(kWords, hn::BitCast(kWords, upper), hn::BitCast(kWords, lower));
-        const V shift = hn::Mul(seed_, constant(digitalShift(1, Coordinate::z)));
-        return toUnitFloat(hn::Xor(words, shift));
+        return toUnitFloat(hn::Xor(words, shift_.z()));
     }
 
     const uint32_t* words_;
-    V seed_;
+    Shift shift_;
     const uint32_t *lower_, *upper_;
 };
 
@@ -199,7 +211,7 @@ HWY_INLINE void drawBlock(Count vectors, const uint32_t* words, const SampleCtx*
         largest = hn::Max(largest, sampleid);
     }
     for (std::size_t i = 0; i < n; i += kLanes) {
-        Samples(words, hn::Load(kWords, seeds + i), offsets + i).store(xis + i);
+        Samples(words, Shifts(hn::Load(kWords, seeds + i)), offsets + i).store(xis + i);
     }
     replaceBeyond(order.end, largest, n, contexts, xis);
 }
@@ -232,6 +244,41 @@ void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned st
         drawInOrder(n, words, contexts, order, xis);
     }
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
+}
+
+/// What the pattern alone decides is computed once. By blocks, as drawBlock.
+template <typename Sample>
+void drawRun(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
+             Sample* xis) {
+    constexpr std::size_t kBlock = kBlockVectors * kLanes;
+    const uint32_t seed = stream1::patternSeed(patternid);
+    const V seeds = constant(seed);
+    const PatternShift shift(seeds);
+    for (std::size_t i = 0; i < n;) {
+        const auto begin = static_cast<uint32_t>(first + i);
+        const std::size_t inTable = kTableSize - begin % kTableSize;
+        const std::size_t count = std::min({n - i, inTable, kBlock});
+        const V table = constant(tableOfBlock(seed, begin / kTableSize) * kGroupSize);
+        HWY_ALIGN uint32_t offsets[kBlock];
+        V sampleid = hn::Iota(kWords, begin);
+        for (std::size_t k = 0; k < count; k += kLanes) {
+            const V row = hn::Mul(groupStartOf(sampleid), constant(kTableCount));
+            const V place = shuffledPlace(seeds, sampleid);
+            hn::Store(hn::Add(hn::Add(row, table), place), kWords, offsets + k);
+            sampleid = hn::Add(sampleid, constant(kLanes));
+        }
+        for (std::size_t k = 0; k < count; k += kLanes) {
+            const Samples samples(words, shift, offsets + k);
+            if (HWY_LIKELY(k + kLanes <= count)) {
+                samples.store(xis + i + k);
+            } else {
+                Sample rest[kLanes];
+                samples.store(rest);
+                std::copy_n(rest, count - k, xis + i + k);
+            }
+        }
+        i += count;
+    }
 }
 
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
@@ -272,6 +319,9 @@ const Kernels kKernels = {
     draw<float>,
     draw<Float2>,
     draw<Float3>,
+    drawRun<float>,
+    drawRun<Float2>,
+    drawRun<Float3>,
     drawJoint<float>,
     drawJoint<Float2>,
     drawJoint<Float3>,

@@ -51,6 +51,27 @@ HWY_INLINE V xorShifted(V x) {
     return hn::Xor(x, hn::ShiftRight<kShift>(x));
 }
 
+/// table[indices[i]] for each byte, within 16 bytes; 0 where bit 7 of an index is set. Others are
+/// below 16.
+template <typename Table, typename Indices>
+HWY_INLINE Indices lookUpBytes(Table table, Indices indices) {
+#if HWY_TARGET == HWY_WASM
+    // Highway's takes byte after byte (docs/decisions/0030-webassembly.md).
+    return Indices{wasm_i8x16_swizzle(table.raw, indices.raw)};
+#else
+    return hn::TableLookupBytesOr0(table, indices);
+#endif
+}
+
+/// Whether all words are the same.
+HWY_INLINE bool same(V a, V b) {
+#if HWY_TARGET == HWY_WASM
+    return !wasm_v128_any_true(hn::Xor(a, b).raw); // one instruction where others take four
+#else
+    return hn::AllTrue(kWords, hn::Eq(a, b));
+#endif
+}
+
 /// The rounds of mixBits and of permuteBits.
 HWY_INLINE V mixBits(V x, V multiplier) {
     x = hn::Mul(xorShifted<16>(x), constant(detail::kFirstMultiplier));

@@ -2,6 +2,8 @@
 
 #include "wellstrat/blue_lookup.h"
 
+#include "core/made_table.h"
+#include "core/packed_tile.h"
 #include "core/slot_ranks.h"
 #include "wellstrat/blue_tables.h"
 
@@ -10,9 +12,11 @@ inline namespace stream1 {
 namespace detail {
 namespace {
 
+constexpr PackedTile kPadded(kRankTilePadded), kSlots(kRankTileSlots);
+
 /// The linear map with these columns.
 template <typename Word>
-constexpr LinearMap<Word> makeMap(const Word (&columns)[kRankDigits]) {
+WELLSTRAT_MADE LinearMap<Word> makeMap(const Word (&columns)[kRankDigits]) {
     LinearMap<Word> map{};
     for (uint32_t bits = 1; bits < 64; ++bits) {
         const uint32_t others = bits & (bits - 1), first = trailingZeros(bits);
@@ -22,12 +26,12 @@ constexpr LinearMap<Word> makeMap(const Word (&columns)[kRankDigits]) {
     return map;
 }
 
-constexpr BlueTables makeTables() {
+WELLSTRAT_MADE BlueTables makeTables() {
     BlueTables tables{};
     for (unsigned place = 0; place < kRanks; ++place) {
-        tables.padded[place] = kRankTilePadded[place];
-        tables.padded[kRanks + place] = kRankTilePadded[transposedPlace(place)];
-        tables.slots[place] = kRankTileSlots[place];
+        tables.padded[place] = kPadded[place];
+        tables.padded[kRanks + place] = kPadded[transposedPlace(place)];
+        tables.slots[place] = kSlots[place];
     }
     for (uint32_t bits = 0; bits < 8; ++bits) {
         const uint32_t flipped = movedPlace(0, (bits & 6u) << 17);
@@ -47,7 +51,7 @@ constexpr BlueTables makeTables() {
 
 } // namespace
 
-constexpr BlueTables kBlueTables = makeTables();
+WELLSTRAT_MADE const BlueTables kBlueTables = makeTables();
 
 } // namespace detail
 } // namespace stream1

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "core/joint_place.h"
+#include "core/made_table.h"
 
 namespace wellstrat {
 inline namespace stream1 {
 namespace detail {
 namespace {
 
-constexpr JointOrders makeOrders() {
+WELLSTRAT_MADE JointOrders makeOrders() {
     JointOrders orders{};
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
         for (unsigned i = 0; i < 256; ++i) orders.low[slot][i] = bothJointPlaces(slot, i);
@@ -20,7 +21,7 @@ constexpr JointOrders makeOrders() {
 
 } // namespace
 
-constexpr JointOrders kJointOrders = makeOrders();
+WELLSTRAT_MADE const JointOrders kJointOrders = makeOrders();
 
 } // namespace detail
 } // namespace stream1

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
+#include "core/made_table.h"
 #include "wellstrat/sequence_slots.h"
 
 namespace wellstrat {
@@ -16,7 +17,7 @@ constexpr uint32_t bothSlotPlaces(unsigned slot, uint32_t index) {
     return place | pascalTimes(place) << 16;
 }
 
-constexpr DigitsOfBytes makeDigitsOfBytes() {
+WELLSTRAT_MADE DigitsOfBytes makeDigitsOfBytes() {
     DigitsOfBytes digits{};
     for (unsigned place = 0; place < 2; ++place) {
         for (uint32_t byte = 0; byte < 256; ++byte) {
@@ -29,7 +30,7 @@ constexpr DigitsOfBytes makeDigitsOfBytes() {
     return digits;
 }
 
-constexpr FloatsOfBytes makeFloatsOfBytes() {
+WELLSTRAT_MADE FloatsOfBytes makeFloatsOfBytes() {
     FloatsOfBytes floats{};
     for (unsigned place = 0; place < 3; ++place) {
         for (uint32_t byte = 0; byte < 256; ++byte) {
@@ -39,7 +40,7 @@ constexpr FloatsOfBytes makeFloatsOfBytes() {
     return floats;
 }
 
-constexpr SlotOrders makeSlotOrders() {
+WELLSTRAT_MADE SlotOrders makeSlotOrders() {
     SlotOrders orders{};
     for (unsigned slot = 0; slot < kJointSlots; ++slot) {
         for (unsigned k = 0; k < SlotOrders::kNibbles; ++k) {
@@ -57,9 +58,9 @@ PointDigits laterPoint(uint32_t seed, uint32_t sampleid) {
     return sequenceDigits(sequenceIndex(seed, sampleid));
 }
 
-constexpr DigitsOfBytes kDigitsOfBytes = makeDigitsOfBytes();
-constexpr FloatsOfBytes kFloatsOfBytes = makeFloatsOfBytes();
-constexpr SlotOrders kSlotOrders = makeSlotOrders();
+WELLSTRAT_MADE const DigitsOfBytes kDigitsOfBytes = makeDigitsOfBytes();
+WELLSTRAT_MADE const FloatsOfBytes kFloatsOfBytes = makeFloatsOfBytes();
+WELLSTRAT_MADE const SlotOrders kSlotOrders = makeSlotOrders();
 
 } // namespace detail
 } // namespace stream1

@@ -134,10 +134,13 @@ void fillTable(unsigned table, const SobolStrata& sobol, uint32_t* words) {
 /// six pages are in every processor's list of pages, 3072 are not.
 uint32_t* allocateTables() {
     constexpr std::size_t kBytes = (2 * kTablePoints + 1) * sizeof(uint32_t);
-    constexpr std::size_t kLargePage = std::size_t{1} << 21;
-    void* memory = ::operator new (kBytes, std::align_val_t{kLargePage});
 #if defined(__linux__)
+    constexpr std::align_val_t kLargePage{1u << 21};
+    void* memory = ::operator new(kBytes, kLargePage);
     static_cast<void>(madvise(memory, kBytes, MADV_HUGEPAGE)); // without it, just slower
+#else
+    // Not aligned: the allocator of WebAssembly would take twice as much.
+    void* memory = ::operator new (kBytes, std::align_val_t{alignof(uint64_t)});
 #endif
     return static_cast<uint32_t*>(memory);
 }

@@ -6,6 +6,7 @@
 #include "wellstrat/random.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace python {
 namespace {
@@ -73,6 +74,14 @@ double fraction(uint32_t bits, double middle) {
     return static_cast<int32_t>(bits ^ 0x80000000u) * 0x1p-32 + middle;
 }
 
+void drawRunOfTables(std::size_t n, uint32_t patternid, uint32_t first, unsigned dims, float* xis) {
+    switch (dims) {
+    case 1: return drawRun1D(n, patternid, first, xis);
+    case 2: return drawRun2D(n, patternid, first, reinterpret_cast<Float2*>(xis));
+    default: return drawRun3D(n, patternid, first, reinterpret_cast<Float3*>(xis));
+    }
+}
+
 } // namespace
 
 void draw(std::size_t n, const SampleCtx* contexts, const Drawing& drawing, float* xis) {
@@ -116,6 +125,11 @@ void draw(std::size_t n, const SampleCtx* contexts, const Drawing& drawing, doub
 
 template <typename Real>
 void drawRun(std::size_t n, uint32_t patternid, uint32_t first, const Drawing& drawing, Real* xis) {
+    if constexpr (std::is_same_v<Real, float>) {
+        if (drawing.generator == Generator::pmj && drawing.order.slot == kJointSlots) {
+            return drawRunOfTables(n, patternid, first, drawing.dims, xis);
+        }
+    }
     SampleCtx contexts[kBlock];
     for (std::size_t begin = 0; begin < n; begin += kBlock) {
         const std::size_t block = std::min(kBlock, n - begin);
