@@ -59,6 +59,16 @@ def build(library, folder, *options, stderr=None):
                for command in (configure, ["cmake", "--build", folder, "-j2"]))
 
 
+def build_batch_rounds():
+    """Builds what the benchmark of the npm package measures in turn with; returns the program."""
+    folder = BUILDS / "here"
+    build_here()
+    command = ["cmake", "--build", folder, "--target", "batch_rounds"]
+    if subprocess.run(command, stdout=subprocess.DEVNULL).returncode != 0:
+        sys.exit("bench: batch_rounds cannot be built")
+    return folder / "bin" / "batch_rounds"
+
+
 def program_in(folder):
     return folder / "bin" / "wellstrat_bench"
 

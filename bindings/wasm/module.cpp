@@ -129,6 +129,16 @@ void setBlue(uint32_t n, int32_t x, int32_t y, uint32_t seed, uint32_t sampleid)
     }
 }
 
+/// Samples `first` to first + n - 1 of a pattern from the tables, into the results.
+WELLSTRAT_EXPORT("drawRun")
+void drawRun(uint32_t n, uint32_t dims, uint32_t patternid, uint32_t first) {
+    switch (dims) {
+    case 1: return drawRun1D(n, patternid, first, results.xis);
+    case 2: return drawRun2D(n, patternid, first, reinterpret_cast<Float2*>(results.xis));
+    default: return drawRun3D(n, patternid, first, reinterpret_cast<Float3*>(results.xis));
+    }
+}
+
 /// Samples of the contexts, or all bits of them, into the results. `slot` is 16 for none.
 WELLSTRAT_EXPORT("draw")
 void draw(uint32_t n, uint32_t generator, uint32_t dims, uint32_t slot, uint32_t splits) {

@@ -40,6 +40,15 @@ WELLSTRAT_API void generateSamples2D(std::size_t n, ArrayArgument<SampleCtx> con
 WELLSTRAT_API void generateSamples3D(std::size_t n, ArrayArgument<SampleCtx> contexts,
                                      ArrayArgument<Float3> xis);
 
+/// xis[i] = the sample of {patternid, first + i}, modulo 2^32, for i in [0, n): the samples of one
+/// pattern one after another, in less time.
+WELLSTRAT_API void drawRun1D(std::size_t n, uint32_t patternid, uint32_t first,
+                             ArrayArgument<float> xis);
+WELLSTRAT_API void drawRun2D(std::size_t n, uint32_t patternid, uint32_t first,
+                             ArrayArgument<Float2> xis);
+WELLSTRAT_API void drawRun3D(std::size_t n, uint32_t patternid, uint32_t first,
+                             ArrayArgument<Float3> xis);
+
 /// xis[i] = the sample of contexts[i] in a domain of this order, as JointProgressive (joint.h)
 /// draws it, for i in [0, n): jointSample1D, jointSample2D, jointSample3D for an order with a slot,
 /// else sample1D and its kin. An order that deriveOrder never gives ends the program with a line

@@ -6,9 +6,11 @@
 #include "core/order_check.h"
 #include "wellstrat/batch_target.h"
 #include "wellstrat/blue_lookup.h"
+#include "wellstrat/random.h"
 #include "wellstrat/sequence.h"
 #include "wellstrat/tables.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 
@@ -45,7 +47,24 @@ void drawFromTables(const char* function,
                               xis.first(n, function));
 }
 
-/// The same in a domain of this order, by the kernel for padded ones or that for slots.
+/// Samples of one pattern by one of the kernels, and by `random` those that no table has.
+template <typename Sample>
+void drawRun(void (*Kernels::*kernel)(std::size_t, const uint32_t*, uint32_t, uint32_t, Sample*),
+             Sample (*random)(uint32_t, uint32_t), std::size_t n, uint32_t patternid,
+             uint32_t first, Sample* xis) {
+    for (std::size_t i = 0; i < n;) {
+        const auto begin = static_cast<uint32_t>(first + i);
+        if (begin < kStratifiedSamples) {
+            const std::size_t count = std::min<std::size_t>(n - i, kStratifiedSamples - begin);
+            (chosenKernels().*kernel)(count, tables(), patternid, begin, xis + i);
+            i += count;
+        } else {
+            xis[i++] = random(patternid, begin);
+        }
+    }
+}
+
+/// Samples in a domain of this order, by the kernel for padded ones or that for slots.
 template <typename Sample>
 void drawJoint(const char* function,
                void (*Kernels::*padded)(std::size_t, const uint32_t*, SampleCtx*, unsigned,
@@ -146,6 +165,18 @@ void generateSamples2D(std::size_t n, ArrayArgument<SampleCtx> contexts,
 void generateSamples3D(std::size_t n, ArrayArgument<SampleCtx> contexts,
                        ArrayArgument<Float3> xis) {
     drawFromTables(__func__, &Kernels::draw3D, n, contexts, 1, xis);
+}
+
+void drawRun1D(std::size_t n, uint32_t patternid, uint32_t first, ArrayArgument<float> xis) {
+    drawRun(&Kernels::drawRun1D, randomSample1D, n, patternid, first, xis.first(n, __func__));
+}
+
+void drawRun2D(std::size_t n, uint32_t patternid, uint32_t first, ArrayArgument<Float2> xis) {
+    drawRun(&Kernels::drawRun2D, randomSample2D, n, patternid, first, xis.first(n, __func__));
+}
+
+void drawRun3D(std::size_t n, uint32_t patternid, uint32_t first, ArrayArgument<Float3> xis) {
+    drawRun(&Kernels::drawRun3D, randomSample3D, n, patternid, first, xis.first(n, __func__));
 }
 
 void drawJointSamples1D(std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,

@@ -26,8 +26,6 @@ namespace batch {
 namespace HWY_NAMESPACE {
 namespace {
 
-HWY_INLINE bool same(V a, V b) { return hn::AllTrue(kWords, hn::Eq(a, b)); }
-
 HWY_INLINE V permuteState(V patternid, DerivationKey key) {
     const V stateBits = constant(detail::kStateBits);
     V state = hn::Mul(hn::And(hn::Xor(patternid, constant(key.mask)), stateBits),

@@ -25,6 +25,13 @@ struct Kernels {
                    Float2* xis);
     void (*draw3D)(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step,
                    Float3* xis);
+    /// Samples `first` to first + n - 1 of a pattern, all below kStratifiedSamples.
+    void (*drawRun1D)(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
+                      float* xis);
+    void (*drawRun2D)(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
+                      Float2* xis);
+    void (*drawRun3D)(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
+                      Float3* xis);
     void (*drawJoint1D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                         unsigned slot, unsigned split, float* xis);
     void (*drawJoint2D)(std::size_t n, const uint32_t* words, const SampleCtx* contexts,

@@ -22,6 +22,14 @@ void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned st
 }
 
 template <auto kSample, typename Sample>
+void drawRun(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
+             Sample* xis) {
+    for (std::size_t i = 0; i < n; ++i) {
+        xis[i] = kSample(words, patternid, first + static_cast<uint32_t>(i));
+    }
+}
+
+template <auto kSample, typename Sample>
 void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, unsigned slot,
                unsigned split, Sample* xis) {
     for (std::size_t i = 0; i < n; ++i) {
@@ -104,6 +112,9 @@ const Kernels kScalarKernels = {
     draw<static_cast<Sample1D>(sample1D)>,
     draw<static_cast<Sample2D>(sample2D)>,
     draw<static_cast<Sample3D>(sample3D)>,
+    drawRun<static_cast<Sample1D>(sample1D)>,
+    drawRun<static_cast<Sample2D>(sample2D)>,
+    drawRun<static_cast<Sample3D>(sample3D)>,
     drawJoint<Joint<float>{jointSample1D}>,
     drawJoint<Joint<Float2>{jointSample2D}>,
     drawJoint<Joint<Float3>{jointSample3D}>,

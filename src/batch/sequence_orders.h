@@ -31,7 +31,7 @@ public:
     HWY_INLINE ShuffledSequence() : sampleid_(hn::Zero(kWords)), reversed_(sampleid_) {}
 
     HWY_INLINE PointVectors point(V seed, V sampleid) {
-        if (!hn::AllTrue(kWords, hn::Eq(sampleid, sampleid_))) {
+        if (!same(sampleid, sampleid_)) {
             sampleid_ = sampleid;
             reversed_ = reverseBits(sampleid);
             hasLater_ = !hn::AllFalse(kWords, hn::Gt(sampleid, constant(0xffff)));
@@ -56,7 +56,7 @@ public:
           block_(sampleid_) {}
 
     HWY_INLINE PointVectors point(V seed, V sampleid) {
-        if (!hn::AllTrue(kWords, hn::Eq(sampleid, sampleid_))) keep(sampleid);
+        if (!same(sampleid, sampleid_)) keep(sampleid);
         const auto swapped = hn::TestBit(seed, constant(1u << 31));
         V index = hn::IfThenElse(swapped, swapped_, places_);
         V y = hn::IfThenElse(swapped, places_, swapped_);
@@ -84,7 +84,7 @@ private:
         places_ = hn::And(hn::Load(kWords, both), constant(0xffff));
         swapped_ = hn::ShiftRight<16>(hn::Load(kWords, both));
         block_ = hn::And(sampleid, constant(~((1u << kSlotDigits) - 1)));
-        hasBlocks_ = !hn::AllTrue(kWords, hn::Eq(block_, hn::Zero(kWords)));
+        hasBlocks_ = !same(block_, hn::Zero(kWords));
     }
 
     unsigned slot_;

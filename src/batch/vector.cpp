@@ -113,7 +113,7 @@ public:
         : sampleid_(hn::Zero(kWords)), start_(sampleid_), row_(sampleid_), blockStep_(sampleid_) {}
 
     HWY_INLINE V offset(V seed, V sampleid) {
-        if (!hn::AllTrue(kWords, hn::Eq(sampleid, sampleid_))) {
+        if (!same(sampleid, sampleid_)) {
             sampleid_ = sampleid;
             start_ = shuffleStart(sampleid);
             row_ = hn::Mul(groupStartOf(sampleid), constant(kTableCount));
@@ -210,7 +210,7 @@ public:
     /// Of the low 12 bits of `index`; above bit 11 anything. What the last vector of indices gave
     /// is kept, since those of a coherent batch are all the same.
     HWY_INLINE V find(V seed, V index) {
-        if (!hn::AllTrue(kWords, hn::Eq(index, index_))) {
+        if (!same(index, index_)) {
             index_ = index;
             both_ = orders_.both(index);
         }
@@ -367,12 +367,38 @@ HWY_INLINE void pointsAt(D d, const uint32_t* words, const uint32_t* offsets, hn
     }
 }
 
-/// One vector of samples: of the points at `offsets`, for patterns with these seeds. By single
-/// loads: gather instructions take longer (docs/decisions/0013-cheaper-draws.md).
+/// What is XORed to points, for a vector of seeds.
+class Shifts {
+public:
+    HWY_INLINE explicit Shifts(V seed) : seed_(seed) {}
+
+    HWY_INLINE Halves xy() const { return shiftXY(seed_); }
+    HWY_INLINE V z() const { return hn::Mul(seed_, constant(digitalShift(1, Coordinate::z))); }
+
+private:
+    V seed_;
+};
+
+/// The same for one pattern.
+class PatternShift {
+public:
+    HWY_INLINE explicit PatternShift(V seed) : xy_(Shifts(seed).xy()), z_(Shifts(seed).z()) {}
+
+    HWY_INLINE Halves xy() const { return xy_; }
+    HWY_INLINE V z() const { return z_; }
+
+private:
+    Halves xy_;
+    V z_;
+};
+
+/// One vector of samples: of the points at `offsets`, shifted. By single loads: gather instructions
+/// take longer (docs/decisions/0013-cheaper-draws.md).
+template <typename Shift>
 class Samples {
 public:
-    HWY_INLINE Samples(const uint32_t* words, V seed, const uint32_t* offsets)
-        : words_(words), seed_(seed), lower_(offsets), upper_(offsets + kLanes / 2) {}
+    HWY_INLINE Samples(const uint32_t* words, Shift shift, const uint32_t* offsets)
+        : words_(words), shift_(shift), lower_(offsets), upper_(offsets + kLanes / 2) {}
 
     HWY_INLINE void store(float* xis) const {
         const uint32_t* z = words_ + kTablePoints;
@@ -399,19 +425,18 @@ public:
 private:
     /// x and y of the points in turn, as memory has them.
     HWY_INLINE Halves xyOf(P lower, P upper) const {
-        const Halves words = tableXY(lower, upper), shift = shiftXY(seed_);
+        const Halves words = tableXY(lower, upper), shift = shift_.xy();
         return {hn::Xor(words.lower, shift.lower), hn::Xor(words.upper, shift.upper)};
     }
 
     HWY_INLINE F zOf(P lower, P upper) const {
         const V words =
             hn::ConcatEven(kWords, hn::BitCast(kWords, upper), hn::BitCast(kWords, lower));
-        const V shift = hn::Mul(seed_, constant(digitalShift(1, Coordinate::z)));
-        return toUnitFloat(hn::Xor(words, shift));
+        return toUnitFloat(hn::Xor(words, shift_.z()));
     }
 
     const uint32_t* words_;
-    V seed_;
+    Shift shift_;
     const uint32_t *lower_, *upper_;
 };
 
@@ -445,7 +470,7 @@ HWY_INLINE void drawBlock(std::size_t vectors, const uint32_t* words, const Samp
         largest = hn::Max(largest, sampleid);
     }
     for (std::size_t i = 0; i < n; i += kLanes) {
-        Samples(words, hn::Load(kWords, seeds + i), offsets + i).store(xis + i);
+        Samples(words, Shifts(hn::Load(kWords, seeds + i)), offsets + i).store(xis + i);
     }
     if (HWY_LIKELY(hn::AllFalse(kWords, hn::Gt(largest, constant(order.end - 1))))) return;
     for (std::size_t i = 0; i < n; i += kLanes) replaceBeyond(order.end, contexts + i, xis + i);
@@ -461,7 +486,7 @@ HWY_INLINE void drawVector(const uint32_t* words, const SampleCtx* contexts, Ord
     const V seed = patternSeed(patternid);
     HWY_ALIGN uint32_t offsets[kLanes];
     hn::Store(order.offset(seed, sampleid), kWords, offsets);
-    Samples(words, seed, offsets).store(xis);
+    Samples(words, Shifts(seed), offsets).store(xis);
     if (HWY_LIKELY(hn::AllFalse(kWords, hn::Gt(sampleid, constant(order.end - 1))))) return;
     replaceBeyond(order.end, contexts, xis);
 }
@@ -492,6 +517,36 @@ void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned st
         drawInOrder(n, words, contexts, order, xis);
     }
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
+}
+
+/// What the pattern alone decides is computed once.
+template <typename Sample>
+void drawRun(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
+             Sample* xis) {
+    const uint32_t seed = stream1::patternSeed(patternid);
+    const V seeds = constant(seed);
+    const PatternShift shift(seeds);
+    for (std::size_t i = 0; i < n;) {
+        const auto begin = static_cast<uint32_t>(first + i);
+        const std::size_t end = std::min<std::size_t>(n, i + kTableSize - begin % kTableSize);
+        const V table = constant(tableOfBlock(seed, begin / kTableSize) * kGroupSize);
+        for (V sampleid = hn::Iota(kWords, begin); i < end;
+             sampleid = hn::Add(sampleid, constant(kLanes)), i += kLanes) {
+            HWY_ALIGN uint32_t offsets[kLanes];
+            const V row = hn::Mul(groupStartOf(sampleid), constant(kTableCount));
+            hn::Store(hn::Add(hn::Add(row, table), shuffledPlace(seeds, sampleid)), kWords,
+                      offsets);
+            const Samples samples(words, shift, offsets);
+            if (HWY_LIKELY(i + kLanes <= end)) {
+                samples.store(xis + i);
+            } else {
+                Sample rest[kLanes];
+                samples.store(rest);
+                std::copy_n(rest, end - i, xis + i);
+            }
+        }
+        i = end;
+    }
 }
 
 void newDomainsSplit(std::size_t n, const SampleCtx* parents, Scramble scramble,
@@ -532,6 +587,9 @@ const Kernels kKernels = {
     draw<float>,
     draw<Float2>,
     draw<Float3>,
+    drawRun<float>,
+    drawRun<Float2>,
+    drawRun<Float3>,
     drawJoint<float>,
     drawJoint<Float2>,
     drawJoint<Float3>,

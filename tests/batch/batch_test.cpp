@@ -104,6 +104,24 @@ protected:
         });
     }
 
+    /// Runs across all that changes: vectors, groups, blocks, the end of the tables, and 2^32.
+    template <typename Sample, typename Draw, typename Scalar>
+    static void checkRuns(Draw draw, Scalar scalar) {
+        for (const uint32_t first : {0u, 200u, kTableSize - 70, 5 * kTableSize - 3,
+                                     kStratifiedSamples - 65, kStratifiedSamples + 9, 0u - 40}) {
+            for (std::size_t n = 0; n <= kLongest; ++n) {
+                const uint32_t pattern = HashToUnsigned(first, static_cast<unsigned>(n));
+                const auto drawn =
+                    guarded<Sample>(n, [&](Sample* xis) { draw(n, pattern, first, xis); });
+                for (std::size_t i = 0; i < n; ++i) {
+                    const auto sampleid = static_cast<uint32_t>(first + i);
+                    ASSERT_TRUE(sameBits(drawn[i], Sample{scalar(pattern, sampleid)}))
+                        << i << " of " << n << " from " << first;
+                }
+            }
+        }
+    }
+
     /// One batch of a function that takes an order.
     template <typename Sample, typename Draw, typename Scalar>
     static void checkOrdered(const std::vector<SampleCtx>& contexts, Draw draw, Order order,
@@ -169,6 +187,12 @@ TEST_P(BatchTarget, Draws2D) {
 TEST_P(BatchTarget, Draws3D) {
     checkDraws<Float3>(drawSamples3D, generateSamples3D,
                        [](unsigned p, unsigned s) { return sample3D(p, s); });
+}
+
+TEST_P(BatchTarget, Runs) {
+    checkRuns<float>(drawRun1D, [](unsigned p, unsigned s) { return sample1D(p, s); });
+    checkRuns<Float2>(drawRun2D, [](unsigned p, unsigned s) { return sample2D(p, s); });
+    checkRuns<Float3>(drawRun3D, [](unsigned p, unsigned s) { return sample3D(p, s); });
 }
 
 TEST_P(BatchTarget, JointDraws1D) {

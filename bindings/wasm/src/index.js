@@ -84,23 +84,25 @@ class Wellstrat {
     return out;
   }
 
-  /** Calls prepare(n, i) and compute(n) for batches of n of `count` things, from thing i on, and
-   * copies the results, `width` for each, into `out`. */
-  #run(count, width, results, out, prepare, compute) {
+  /** Calls compute(n, i) for batches of n of `count` things, from thing i on, and copies the
+   * results, `width` for each, into `out`. */
+  #run(count, width, results, out, compute) {
     for (let i = 0; i < count; i += this.#batch) {
       const n = Math.min(this.#batch, count - i);
-      prepare(n, i);
-      compute(n);
+      compute(n, i);
       out.set(n === this.#batch && results.length === n * width
         ? results : results.subarray(0, n * width), i * width);
     }
     return out;
   }
 
-  /** Copies contexts into the module. */
-  #copyIn(contexts) {
-    return (n, i) => this.#contexts.set(n * 2 === contexts.length
-      ? contexts : contexts.subarray(2 * i, 2 * (i + n)));
+  /** The same of contexts, a batch of which is in the module when compute(n) is called. */
+  #runOf(contexts, width, results, out, compute) {
+    const apart = this.#apart(contexts, out);
+    return this.#run(contexts.length / 2, width, results, out, (n, i) => {
+      this.#contexts.set(2 * n === apart.length ? apart : apart.subarray(2 * i, 2 * (i + n)));
+      compute(n);
+    });
   }
 
   /** What a batch reads, apart from what the same one of more batches writes. */
@@ -131,10 +133,15 @@ class Wellstrat {
     this.#sampleRun(pattern, count, first, dims);
     const filled = outputOf(out, Float32Array, count * dims);
     this.#ready(kind);
-    const { setRun, draw, slots } = this.#module;
+    const { setRun, draw, drawRun, slots } = this.#module;
+    if (kind === 0) {
+      return this.#run(count, dims, this.#xis, filled, (n, i) => drawRun(n, dims, pattern, first + i));
+    }
     const none = slots();
-    return this.#run(count, dims, this.#xis, filled, (n, i) => setRun(n, pattern, first + i),
-      (n) => draw(n, kind, dims, none, 1));
+    return this.#run(count, dims, this.#xis, filled, (n, i) => {
+      setRun(n, pattern, first + i);
+      draw(n, kind, dims, none, 1);
+    });
   }
 
   words(pattern, count, options = {}) {
@@ -145,8 +152,10 @@ class Wellstrat {
     const filled = outputOf(out, Uint32Array, count * dims);
     const { setRun, drawWords, slots } = this.#module;
     const none = slots();
-    return this.#run(count, dims, this.#words, filled, (n, i) => setRun(n, pattern, first + i),
-      (n) => drawWords(n, kind, dims, none, 1));
+    return this.#run(count, dims, this.#words, filled, (n, i) => {
+      setRun(n, pattern, first + i);
+      drawWords(n, kind, dims, none, 1);
+    });
   }
 
   draw(contexts, options = {}) {
@@ -160,8 +169,7 @@ class Wellstrat {
     integer(splits, "splits", 1, maxSplits() + 1);
     const filled = outputOf(out, Float32Array, count * dims);
     this.#ready(kind);
-    return this.#run(count, dims, this.#xis, filled, this.#copyIn(this.#apart(contexts, filled)),
-      (n) => draw(n, kind, dims, place, splits));
+    return this.#runOf(contexts, dims, this.#xis, filled, (n) => draw(n, kind, dims, place, splits));
   }
 
   cameraContexts(width, height, frame = 0, sampleid = 0, options = {}) {
@@ -193,7 +201,7 @@ class Wellstrat {
     const filled = outputOf(out, Uint32Array, 2 * width * height);
     for (let y = 0; y < height; ++y) {
       this.#run(width, 2, this.#contexts, filled.subarray(2 * width * y, 2 * width * (y + 1)),
-        (n, i) => set(n, origin[0] + i, origin[1] + y), () => {});
+        (n, i) => set(n, origin[0] + i, origin[1] + y));
     }
     return filled;
   }
@@ -214,12 +222,12 @@ class Wellstrat {
 
   #derive(derive, contexts, scramble, number, options) {
     const { generator = "pmj", out } = optionsOf(options, ["generator", "out"]);
-    const count = contextsOf(contexts).length / 2;
+    contextsOf(contexts);
     word(scramble, "scramble");
     const isBlue = generatorOf(generator) === generators.indexOf("blue");
     const filled = outputOf(out, Uint32Array, contexts.length);
-    return this.#run(count, 2, this.#contexts, filled,
-      this.#copyIn(this.#apart(contexts, filled)), (n) => derive(n, isBlue, scramble, number));
+    return this.#runOf(contexts, 2, this.#contexts, filled,
+      (n) => derive(n, isBlue, scramble, number));
   }
 
   jointScramble(slot) {
