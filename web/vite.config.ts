@@ -19,5 +19,5 @@ export default defineConfig({
         chunkSizeWarningLimit: 2000,
     },
     server: {fs: {allow: [".."]}},
-    test: {testTimeout: 60_000, hookTimeout: 60_000, expect: {poll: {timeout: 20_000}}},
+    test: {testTimeout: 200_000, hookTimeout: 200_000, expect: {poll: {timeout: 30_000}}},
 });

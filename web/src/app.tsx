@@ -79,7 +79,13 @@ function ThemeChoice() {
     );
 }
 
-export function App({library}: {library: Wellstrat}) {
+interface Props {
+    library: Wellstrat;
+    /** A sentence where something is missing. */
+    complaint?: string;
+}
+
+export function App({library, complaint}: Props) {
     const {view, complaints, change} = useAddress();
     const [, , Shown] = tabs.find(([name]) => name === view.view)!;
     return (
@@ -109,9 +115,10 @@ export function App({library}: {library: Wellstrat}) {
                 </div>
             </header>
             <main>
-                {complaints.map(complaint => (
-                    <p class="notice" key={complaint} role="alert">
-                        {complaint}
+                {complaint && <p class="notice">{complaint}</p>}
+                {complaints.map(each => (
+                    <p class="notice" key={each} role="alert">
+                        {each}
                     </p>
                 ))}
                 <div role="tabpanel" id="view" aria-labelledby={`tab-${view.view}`}>

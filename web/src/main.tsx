@@ -7,7 +7,7 @@ import "./style.css";
 
 const page = document.getElementById("page")!;
 try {
-    render(<App library={await loadLibrary()} />, page);
+    render(<App {...await loadLibrary()} />, page);
 } catch (error) {
     page.textContent = `The samples cannot be computed here: ${(error as Error).message}`;
 }

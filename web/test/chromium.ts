@@ -43,6 +43,7 @@ export async function open(
     prepare?: () => void,
 ): Promise<Opened> {
     const context = await browser.newContext({offline: true, ...options});
+    context.setDefaultTimeout(120_000); // for machines that do much else
     const page = await context.newPage();
     const faults: string[] = [];
     page.on("console", message => {

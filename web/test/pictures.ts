@@ -8,6 +8,15 @@ import {pictureSize} from "../src/pictures/progress";
 import type {Source} from "../src/pictures/renderer";
 import {scenes} from "../src/pictures/scene";
 
+/** Waits until the pictures have all their samples. */
+export const done = (page: Page, by: string, samples = 1) =>
+    page
+        .getByText(`${samples} of ${samples} samples of each pixel, rendered by ${by}.`)
+        .waitFor({timeout: 180_000});
+
+/** What the page says is missing. */
+export const notice = (page: Page) => page.locator(".notice").textContent();
+
 /** The pixels of a picture on the page, as they are before they are enlarged. */
 function shownPixels(page: Page, source: Source): Promise<number[]> {
     return page

@@ -182,7 +182,7 @@ export function PicturesView({library, view, change}: ViewProps) {
             <div>
                 {shown.complaints.length > 0 && (
                     <p class="notice" role="status">
-                        {shown.complaints.join(" ")} {shown.by} does it.
+                        {shown.complaints.join(" ")} {shown.by && `${shown.by} does it.`}
                     </p>
                 )}
                 <p role="status" id="progress">
@@ -218,8 +218,8 @@ export function PicturesView({library, view, change}: ViewProps) {
     );
 }
 
-function progressText({by, progress}: Shown, all: number): string {
-    if (!by) return "Looking for a way to render.";
+function progressText({by, complaints, progress}: Shown, all: number): string {
+    if (!by) return complaints.length > 0 ? "" : "Looking for a way to render.";
     if (!progress) return `Rendering by ${by}.`;
     const done = `${progress.film.samples} of ${all} samples of each pixel, rendered by ${by}.`;
     return `${done} Errors are those against a picture of ${progress.reference} other samples.`;

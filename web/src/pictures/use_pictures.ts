@@ -3,7 +3,7 @@
 import {useEffect, useRef, useState} from "preact/hooks";
 import type {Wellstrat} from "wellstrat";
 import type {View} from "../address";
-import {openRenderer, type Way} from "./open";
+import {nextWay, openRenderer, type Way} from "./open";
 import {renderPictures, type Progress} from "./progress";
 import {DeviceLost} from "./renderer";
 import {scenes} from "./scene";
@@ -15,8 +15,6 @@ export interface Shown {
     complaints: string[];
     progress?: Progress | undefined;
 }
-
-const nextWay: Record<Way, Way> = {webgpu: "webgl2", webgl2: "wasm", wasm: "wasm"};
 
 /** Renders the view's pictures, anew when what they show changes. One renders at a time. */
 export function usePictures(library: Wellstrat, view: View): Shown {
@@ -31,7 +29,7 @@ export function usePictures(library: Wellstrat, view: View): Shown {
         };
         const job = {scene: scenes[scene], samples, seed, sigma: Number(filter)};
 
-        async function run(wish: View["by"], complaints: string[]): Promise<void> {
+        async function run(wish: Way | "auto", complaints: string[]): Promise<void> {
             const opened = await openRenderer(library, wish);
             const {renderer} = opened;
             const all = [...complaints, ...opened.complaints];
@@ -40,12 +38,16 @@ export function usePictures(library: Wellstrat, view: View): Shown {
                 await renderPictures(renderer, job, progress => update({progress}), stop.signal);
             } catch (error) {
                 if (!(error instanceof DeviceLost)) throw error;
-                await run(nextWay[opened.way], [...all, `${renderer.name} lost its device.`]);
+                await run(nextWay(opened.way), [...all, `${renderer.name} lost its device.`]);
             } finally {
                 renderer.close();
             }
         }
-        before.current = before.current.then(() => (stop.signal.aborted ? undefined : run(by, [])));
+        before.current = before.current
+            .then(() => (stop.signal.aborted ? undefined : run(by, [])))
+            .catch((error: Error) =>
+                update({by: "", complaints: [`Rendering failed: ${error.message}.`]}),
+            );
         return () => stop.abort();
     }, [library, by, scene, samples, seed, filter]);
     return shown;

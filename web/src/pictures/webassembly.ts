@@ -4,7 +4,7 @@
 
 import type {Wellstrat} from "wellstrat";
 import {renderOnProcessor} from "./processor";
-import {Unavailable, type Renderer, type Request} from "./renderer";
+import {DeviceLost, Unavailable, type Renderer, type Request} from "./renderer";
 import RenderWorker from "./worker?worker&inline";
 
 class WorkerRenderer implements Renderer {
@@ -15,7 +15,7 @@ class WorkerRenderer implements Renderer {
     render(request: Request): Promise<Float32Array> {
         return new Promise((resolve, reject) => {
             this.worker.onmessage = ({data}: MessageEvent<Float32Array>) => resolve(data);
-            this.worker.onerror = event => reject(new Unavailable(event.message));
+            this.worker.onerror = event => reject(new DeviceLost(event.message));
             this.worker.postMessage(request);
         });
     }

@@ -6,9 +6,9 @@ import {loadLibrary} from "../library";
 import {renderOnProcessor} from "./processor";
 import type {Request} from "./renderer";
 
-const library = loadLibrary();
+const loaded = loadLibrary();
 
 addEventListener("message", async ({data}: MessageEvent<Request>) => {
-    const sums = renderOnProcessor(await library, data);
+    const sums = renderOnProcessor((await loaded).library, data);
     postMessage(sums, {transfer: [sums.buffer]});
 });

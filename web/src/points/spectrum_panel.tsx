@@ -10,7 +10,7 @@ import {radialMean, spectrumOf, type Spectrum} from "./spectrum";
 /** x and y of the points of the i-th of several patterns. */
 export type PointsOfPattern = (i: number) => {x: Float32Array; y: Float32Array};
 
-const patterns = 32;
+const patterns = 32; // a power of two
 const restart = 100; // milliseconds between first spectra of other points
 const brightest = 2; // the power that is as dark as it gets
 
@@ -19,7 +19,7 @@ interface Mean {
     patterns: number;
 }
 
-/** The mean spectrum of more and more patterns, one a frame, begun anew for other points. */
+/** The mean spectrum of 1, 2, 4 and more patterns, begun anew for other points. */
 function useMeanSpectrum(points: PointsOfPattern): Mean | undefined {
     const [mean, setMean] = useState<Mean>();
     const lastStart = useRef(0);
@@ -28,13 +28,15 @@ function useMeanSpectrum(points: PointsOfPattern): Mean | undefined {
         let timer = 0;
         function add(i: number): void {
             const {x, y} = points(i);
-            const {reach, power} = spectrumOf(x, y);
-            sums = sums ? sums.map((sum, k) => sum + power[k]!) : power;
-            setMean({
-                spectrum: {reach, power: sums.map(sum => sum / (i + 1))},
-                patterns: i + 1,
-            });
-            if (i + 1 < patterns) timer = window.setTimeout(add, 30, i + 1);
+            const {reach, power: more} = spectrumOf(x, y);
+            sums = sums ? sums.map((sum, k) => sum + more[k]!) : more;
+            const done = i + 1;
+            if ((done & i) === 0) {
+                // 1, 2, 4, ...
+                const power = sums.map(sum => sum / done);
+                setMean({spectrum: {reach, power}, patterns: done});
+            }
+            if (done < patterns) timer = window.setTimeout(add, 20, done);
         }
         // While a slider is dragged, points change each frame: take some of them.
         const wait = lastStart.current + restart - performance.now();

@@ -10,7 +10,7 @@ import {countInStrata, filledStrata, fullestStratum, strataShape} from "../../sr
 
 let library: Wellstrat;
 beforeAll(async () => {
-    library = await loadLibrary();
+    ({library} = await loadLibrary());
 });
 
 function columns(generator: "pmj" | "random", count: number, pattern = 7) {
