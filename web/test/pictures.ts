@@ -8,11 +8,15 @@ import {pictureSize} from "../src/pictures/progress";
 import type {Source} from "../src/pictures/renderer";
 import {scenes} from "../src/pictures/scene";
 
-/** Waits until the pictures have all their samples. */
-export const done = (page: Page, by: string, samples = 1) =>
-    page
+/** Waits until the pictures have all their samples, and are drawn, a frame later. */
+export async function done(page: Page, by: string, samples = 1): Promise<void> {
+    await page
         .getByText(`${samples} of ${samples} samples of each pixel, rendered by ${by}.`)
         .waitFor({timeout: 180_000});
+    await page.evaluate(
+        () => new Promise(resolve => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    );
+}
 
 /** What the page says is missing. */
 export const notice = (page: Page) => page.locator(".notice").textContent();

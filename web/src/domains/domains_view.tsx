@@ -7,6 +7,7 @@ import {maxCount, maxFirst, maxPattern} from "../address";
 import {Choice, CountSlider, NumberField} from "../controls";
 import {generators, strataChoices} from "../points/generators";
 import type {ViewProps} from "../points/points_view";
+import {Readout} from "../points/readout";
 import {ScatterPanel} from "../points/scatter_panel";
 import {
     countInStrata,
@@ -133,6 +134,20 @@ export function DomainsView({library, view, change}: ViewProps) {
                         );
                     })}
                 </div>
+                {marked !== undefined && marked < count && (
+                    <Readout
+                        sample={first + marked}
+                        coordinates={(["a", "b"] as const).flatMap(domain =>
+                            (["x", "y"] as const).map(
+                                axis =>
+                                    [
+                                        `${axis} of ${domain.toUpperCase()}`,
+                                        drawn[domain][axis][marked]!,
+                                    ] as const,
+                            ),
+                        )}
+                    />
+                )}
             </div>
         </div>
     );

@@ -21,10 +21,10 @@ const titles: Record<(typeof compared)[number], string> = {
 };
 
 const explained: Record<(typeof compared)[number], string> = {
-    white: "independent samples",
-    pmj: "each domain stratified",
-    joint: "domains together",
-    blue: "pixels together",
+    white: "independent",
+    pmj: "stratified",
+    joint: "with slots",
+    blue: "over pixels",
 };
 
 const sceneNames: readonly (readonly [View["scene"], string])[] = [

@@ -11,6 +11,7 @@ import {colorOf} from "../theme";
 import {drawCube} from "./cube";
 import {generators, strataChoices} from "./generators";
 import type {Groups} from "./scatter";
+import {Readout} from "./readout";
 import {ScatterPanel} from "./scatter_panel";
 import {SpectrumPanel} from "./spectrum_panel";
 import {countInStrata, filledStrata, strataDigits, strataShape} from "./strata";
@@ -158,7 +159,7 @@ export function PointsView({library, view, change}: ViewProps) {
                 )}
                 <NumberField
                     label="Marked sample"
-                    value={marked ?? first}
+                    value={first + Math.min(marked ?? 0, count - 1)}
                     low={first}
                     high={first + count - 1}
                     onChange={value => setMarked(value - first)}
@@ -204,10 +205,10 @@ export function PointsView({library, view, change}: ViewProps) {
                     <SpectrumPanel points={ofPattern} />
                 </div>
                 {marked !== undefined && marked < count && (
-                    <p class="hint" role="status">
-                        Sample {first + marked}: x = {points.x[marked]!.toFixed(5)}, y ={" "}
-                        {points.y[marked]!.toFixed(5)}, z = {points.z[marked]!.toFixed(5)}
-                    </p>
+                    <Readout
+                        sample={first + marked}
+                        coordinates={axes.map(axis => [axis, points[axis][marked]!])}
+                    />
                 )}
             </div>
         </div>

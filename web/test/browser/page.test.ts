@@ -110,24 +110,6 @@ describe("points", () => {
         await page.context().close();
     });
 
-    it("turn as a cube, by keys and by dragging", async () => {
-        const {page} = await open(browser);
-        const cube = caption(page, "All three").locator("canvas");
-        const look = () => cube.evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
-        const first = await look();
-        await cube.focus();
-        await page.keyboard.press("ArrowLeft");
-        await expect.poll(look).not.toBe(first);
-        await page.keyboard.press("ArrowRight");
-        await expect.poll(look).toBe(first);
-        await cube.hover();
-        await page.mouse.down();
-        await page.mouse.move(700, 700, {steps: 3});
-        await page.mouse.up();
-        await expect.poll(look).not.toBe(first);
-        await page.context().close();
-    });
-
     it("have a spectrum that becomes the mean of 32 patterns", async () => {
         const {page, faults} = await open(browser);
         await page.getByText("Mean of 32 patterns.").waitFor();
@@ -195,16 +177,11 @@ describe("the address", () => {
     });
 });
 
-it.each([
-    ["points", "dark"],
-    ["domains", "light"],
-    ["pictures", "light"],
-] as const)("the view of %s can be read by all at 380 pixels, %s", async (view, colorScheme) => {
-    const {page, faults} = await open(browser, `#view=${view}&samples=1&by=wasm&color=x`, {
+it("can be read by all at 380 pixels", async () => {
+    const {page, faults} = await open(browser, "#color=x", {
         viewport: {width: 380, height: 800},
-        colorScheme,
+        colorScheme: "dark",
     });
-    await page.locator("figure canvas").first().waitFor();
     expect(await overflow(page)).toBe(0);
     expect(await obstacles(page)).toEqual([]);
     expect(faults).toEqual([]);

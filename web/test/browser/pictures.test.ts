@@ -48,25 +48,6 @@ describe("without", () => {
         await page.context().close();
     });
 
-    it("WebGPU and WebGL2, WebAssembly renders", async () => {
-        const {page, faults} = await open(browser, "#view=pictures&samples=1&by=webgpu", {}, () => {
-            Object.defineProperty(navigator, "gpu", {value: undefined});
-            HTMLCanvasElement.prototype.getContext = new Proxy(
-                HTMLCanvasElement.prototype.getContext,
-                {
-                    apply: (get, canvas, [kind, ...rest]) =>
-                        kind === "webgl2" ? null : Reflect.apply(get, canvas, [kind, ...rest]),
-                },
-            );
-        });
-        await done(page, "WebAssembly");
-        expect(await notice(page)).toBe(
-            "This browser has no WebGPU here. This browser has no WebGL2 here. WebAssembly does it.",
-        );
-        expect(faults).toEqual([]);
-        await page.context().close();
-    });
-
     it("workers, the page renders by itself", async () => {
         const {page, faults} = await open(browser, "#view=pictures&samples=1&by=wasm", {}, () => {
             window.Worker = class {

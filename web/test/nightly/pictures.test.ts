@@ -58,7 +58,7 @@ describe("where a device fails", () => {
         await page.context().close();
     });
 
-    it("room for the tables, the next way does", async () => {
+    it("for want of room for the tables, the next way does", async () => {
         const {page} = await open(browser, "#view=pictures&samples=1&by=webgpu", {}, () => {
             Object.defineProperty(GPUSupportedLimits.prototype, "maxStorageBufferBindingSize", {
                 value: 2 ** 20,
@@ -71,7 +71,26 @@ describe("where a device fails", () => {
         await page.context().close();
     });
 
-    it("of WebGL2 gives way to WebAssembly", async () => {
+    it("for want of WebGPU and WebGL2, WebAssembly renders", async () => {
+        const {page, faults} = await open(browser, "#view=pictures&samples=1&by=webgpu", {}, () => {
+            Object.defineProperty(navigator, "gpu", {value: undefined});
+            HTMLCanvasElement.prototype.getContext = new Proxy(
+                HTMLCanvasElement.prototype.getContext,
+                {
+                    apply: (get, canvas, [kind, ...rest]) =>
+                        kind === "webgl2" ? null : Reflect.apply(get, canvas, [kind, ...rest]),
+                },
+            );
+        });
+        await done(page, "WebAssembly");
+        expect(await notice(page)).toBe(
+            "This browser has no WebGPU here. This browser has no WebGL2 here. WebAssembly does it.",
+        );
+        expect(faults).toEqual([]);
+        await page.context().close();
+    });
+
+    it("that of WebGL2 gives way to WebAssembly", async () => {
         const {page} = await open(browser, "#view=pictures&samples=64&by=webgl2", {}, () => {
             HTMLCanvasElement.prototype.getContext = new Proxy(
                 HTMLCanvasElement.prototype.getContext,

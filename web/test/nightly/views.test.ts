@@ -45,3 +45,21 @@ describe.each(["points", "domains", "pictures"])("the view of %s", view => {
         });
     });
 });
+
+it("points turn as a cube, by keys and by dragging", async () => {
+    const {page} = await open(browser);
+    const cube = page.getByRole("img", {name: /points in the unit cube/});
+    const look = () => cube.evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+    const first = await look();
+    await cube.focus();
+    await page.keyboard.press("ArrowLeft");
+    await expect.poll(look).not.toBe(first);
+    await page.keyboard.press("ArrowRight");
+    await expect.poll(look).toBe(first);
+    await cube.hover();
+    await page.mouse.down();
+    await page.mouse.move(700, 700, {steps: 3});
+    await page.mouse.up();
+    await expect.poll(look).not.toBe(first);
+    await page.context().close();
+});
