@@ -519,33 +519,38 @@ void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned st
     for (std::size_t i = 0; step != 0 && i < n; ++i) contexts[i].sampleid += step;
 }
 
-/// What the pattern alone decides is computed once.
+/// What the pattern alone decides is computed once. By blocks, as drawBlock.
 template <typename Sample>
 void drawRun(std::size_t n, const uint32_t* words, uint32_t patternid, uint32_t first,
              Sample* xis) {
+    constexpr std::size_t kBlock = kBlockVectors * kLanes;
     const uint32_t seed = stream1::patternSeed(patternid);
     const V seeds = constant(seed);
     const PatternShift shift(seeds);
     for (std::size_t i = 0; i < n;) {
         const auto begin = static_cast<uint32_t>(first + i);
-        const std::size_t end = std::min<std::size_t>(n, i + kTableSize - begin % kTableSize);
+        const std::size_t inTable = kTableSize - begin % kTableSize;
+        const std::size_t count = std::min({n - i, inTable, kBlock});
         const V table = constant(tableOfBlock(seed, begin / kTableSize) * kGroupSize);
-        for (V sampleid = hn::Iota(kWords, begin); i < end;
-             sampleid = hn::Add(sampleid, constant(kLanes)), i += kLanes) {
-            HWY_ALIGN uint32_t offsets[kLanes];
+        HWY_ALIGN uint32_t offsets[kBlock];
+        V sampleid = hn::Iota(kWords, begin);
+        for (std::size_t k = 0; k < count; k += kLanes) {
             const V row = hn::Mul(groupStartOf(sampleid), constant(kTableCount));
-            hn::Store(hn::Add(hn::Add(row, table), shuffledPlace(seeds, sampleid)), kWords,
-                      offsets);
-            const Samples samples(words, shift, offsets);
-            if (HWY_LIKELY(i + kLanes <= end)) {
-                samples.store(xis + i);
+            const V place = shuffledPlace(seeds, sampleid);
+            hn::Store(hn::Add(hn::Add(row, table), place), kWords, offsets + k);
+            sampleid = hn::Add(sampleid, constant(kLanes));
+        }
+        for (std::size_t k = 0; k < count; k += kLanes) {
+            const Samples samples(words, shift, offsets + k);
+            if (HWY_LIKELY(k + kLanes <= count)) {
+                samples.store(xis + i + k);
             } else {
                 Sample rest[kLanes];
                 samples.store(rest);
-                std::copy_n(rest, end - i, xis + i);
+                std::copy_n(rest, count - k, xis + i + k);
             }
         }
-        i = end;
+        i += count;
     }
 }
 

@@ -3,12 +3,15 @@
 // The installed package in headless Chromium: golden values of both modules, and the example's page.
 
 import assert from "node:assert/strict";
-import { execFile, execFileSync } from "node:child_process";
+import { execFileSync, spawn } from "node:child_process";
+import { once } from "node:events";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { extname, join } from "node:path";
+import { text } from "node:stream/consumers";
 import { test } from "node:test";
+import { setTimeout } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
@@ -41,9 +44,24 @@ function chromium() {
   return undefined;
 }
 
+/** Shows a page, and tells the server what its paragraph says once it has loaded. */
+const watchPage = `<!DOCTYPE html>
+<iframe></iframe>
+<script>
+  const frame = document.querySelector("iframe");
+  frame.src = location.hash.slice(1);
+  const timer = setInterval(() => {
+    const text = frame.contentDocument?.querySelector("p")?.textContent ?? "loading ...";
+    if (text === "loading ...") return;
+    clearInterval(timer);
+    fetch("said", { method: "POST", body: text });
+  }, 50);
+</script>`;
+
 /** The file that a page asks for. */
 function contentOf(path) {
   if (path === "/golden.html") return goldenPage;
+  if (path === "/watch.html") return watchPage;
   return readFileSync(path.startsWith("/golden/") ? join(golden, path.slice(8)) : join(here, path));
 }
 
@@ -58,23 +76,32 @@ function serve(request, response) {
   }
 }
 
-/** The paragraph of a page, once its scripts are done. */
+/** What the paragraph of a page says, once its scripts are done. */
 async function paragraphOf(page) {
-  const server = createServer(serve);
+  let tell;
+  const said = new Promise((resolve) => { tell = resolve; });
+  const server = createServer(async (request, response) => {
+    if (request.method !== "POST") return serve(request, response);
+    tell(await text(request));
+    response.end();
+  });
   await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
   const profile = mkdtempSync(join(tmpdir(), "wellstrat-"));
+  const browser = spawn(chromium(), ["--headless", "--no-sandbox", "--disable-gpu",
+    "--disable-dev-shm-usage", "--remote-debugging-port=0", `--user-data-dir=${profile}`,
+    `http://127.0.0.1:${server.address().port}/watch.html#${page}`],
+  { env: { ...process.env, HOME: profile }, stdio: "ignore" });
+  const ended = once(browser, "exit");
+  const late = new AbortController();
   try {
-    const shown = await new Promise((resolve, reject) => {
-      execFile(chromium(), ["--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-        "--virtual-time-budget=20000", `--user-data-dir=${profile}`, "--dump-dom",
-        `http://127.0.0.1:${server.address().port}/${page}`],
-      { env: { ...process.env, HOME: profile }, timeout: 120000 },
-      (error, text) => (error ? reject(error) : resolve(text)));
-    });
-    return /<p>(.*?)<\/p>/.exec(shown)[1];
+    return await Promise.race([said, setTimeout(100000, "nothing", { signal: late.signal })]);
   } finally {
+    late.abort();
+    browser.kill();
+    await ended;
+    server.closeAllConnections?.();
     server.close();
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+    rmSync(profile, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
   }
 }
 

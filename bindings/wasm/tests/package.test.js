@@ -54,9 +54,18 @@ test("tables take little more than they say", async () => {
   buildTables();
 });
 
-test("the example in Node.js", () => {
-  const printed = execFileSync(process.execPath,
-    [fileURLToPath(new URL("lens_error.js", import.meta.url))], { encoding: "utf8" });
+/** What an example prints. */
+const printedBy = (name) => execFileSync(process.execPath,
+  [fileURLToPath(new URL(name, import.meta.url))], { encoding: "utf8" });
+
+test("the first example prints what that in C++ prints", () => {
+  const guide = readFileSync(new URL("../../../docs/javascript.md", import.meta.url), "utf8");
+  const [, expected] = /<!-- output: quick_look -->\n```text\n(.*?)```/s.exec(guide);
+  assert.equal(printedBy("quick_look.js"), expected);
+});
+
+test("the example of a lens", () => {
+  const printed = printedBy("lens_error.js");
   const rows = printed.trim().split("\n").map((line) => line.trim().split(/\s+/));
   assert.deepEqual(rows[0], ["samples", "random", "pmj", "long", "blue"]);
   const last = rows.at(-1).map(Number);
