@@ -9,6 +9,7 @@
 #include "wellstrat/batch_target.h"
 #include "wellstrat/blue_domain.h"
 #include "wellstrat/camera.h"
+#include "wellstrat/device_tables.h"
 #include "wellstrat/order.h"
 #include "wellstrat/random.h"
 #include "wellstrat/tables.h"
@@ -73,6 +74,9 @@ constexpr Draw kWordDraws[][3] = {{},
                                   {randomOf<1, allBits, uint32_t>, randomOf<2, allBits, uint32_t>,
                                    randomOf<3, allBits, uint32_t>}};
 
+/// What draws on GPUs look up before the words of the tables.
+alignas(DeviceTables) unsigned char deviceHead[deviceTableBytes(DeviceDraws::computed)];
+
 } // namespace
 
 #define WELLSTRAT_EXPORT(name) extern "C" __attribute__((export_name(name)))
@@ -94,6 +98,17 @@ WELLSTRAT_EXPORT("tableRoom") uint32_t tableRoom() {
 }
 /// Builds them. The memory must have room for them, or the module traps.
 WELLSTRAT_EXPORT("buildTables") void makeTables() { buildTables(); }
+
+/// The size of the block of device_tables.h for these draws, and where its parts are: the head, and the
+/// words of the tables, which must have been built.
+WELLSTRAT_EXPORT("deviceTableBytes") uint32_t deviceBytes(uint32_t draws) {
+    return static_cast<uint32_t>(deviceTableBytes(static_cast<DeviceDraws>(draws)));
+}
+WELLSTRAT_EXPORT("deviceHead") const void* copyDeviceHead() {
+    copyDeviceTables(deviceHead, DeviceDraws::computed);
+    return deviceHead;
+}
+WELLSTRAT_EXPORT("tableWords") const void* tableWords() { return tables(); }
 
 /// Contexts of samples `first` to first + n - 1 of a pattern.
 WELLSTRAT_EXPORT("setRun") void setRun(uint32_t n, uint32_t patternid, uint32_t first) {

@@ -32,12 +32,16 @@ export function integer(value, name, low, high) {
 
 export const word = (value, name) => integer(value, name, 0, words);
 
-/** The number of a generator, one of `accepted`. */
-export function generatorOf(name, accepted = generators) {
-  if (accepted.includes(name)) return generators.indexOf(name);
+/** `value`, one of these strings. */
+export function choice(value, name, accepted) {
+  if (accepted.includes(value)) return value;
   const known = accepted.map((other) => `"${other}"`).join(", ");
-  throw new RangeError(`generator must be one of ${known}, not ${shown(name)}`);
+  throw new RangeError(`${name} must be one of ${known}, not ${shown(value)}`);
 }
+
+/** The number of a generator, one of `accepted`. */
+export const generatorOf = (name, accepted = generators) =>
+  generators.indexOf(choice(name, "generator", accepted));
 
 /** The options, which have no other names than these. */
 export function optionsOf(options, names) {

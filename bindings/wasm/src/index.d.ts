@@ -108,6 +108,11 @@ export interface Wellstrat {
    * Throws {@link OutOfMemoryError} if they do not fit; it may be tried again. */
   buildTables(): void;
 
+  /** What shaders look up (docs/gpu.md), to be uploaded: 70 KiB for `"computed"`, which are `"long"` and
+   * `"blue"`; 6.1 MiB with 2D draws of `"pmj"`, too; 12.1 MiB for all, the default. The tables are
+   * built for the last two. */
+  deviceTables(draws?: "computed" | "draws2D" | "all"): Uint32Array;
+
   /** Samples `first` to `first + count - 1` of a pattern, a word: count * dims numbers in [0, 1),
    * multiples of 2**-24, sample after sample. */
   samples(pattern: number, count: number, options?: SamplesOptions): Float32Array;

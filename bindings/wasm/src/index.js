@@ -3,7 +3,7 @@
 // The package's interface; index.d.ts documents it.
 
 import {
-  OutOfMemoryError, contextsOf, generatorOf, generators, integer, optionsOf, outputOf, shown, word,
+  OutOfMemoryError, choice, contextsOf, generatorOf, generators, integer, optionsOf, outputOf, shown, word,
   words,
 } from "./arguments.js";
 import { hasSimd, start } from "./module.js";
@@ -68,6 +68,20 @@ class Wellstrat {
     this.#view();
     this.#module.buildTables();
     this.#hasTables = true;
+  }
+
+  deviceTables(draws = "all") {
+    const kinds = ["computed", "draws2D", "all"]; // as DeviceDraws
+    const kind = kinds.indexOf(choice(draws, "draws", kinds));
+    const { memory, deviceTableBytes, deviceHead, tableWords } = this.#module;
+    const head = deviceTableBytes(0) / 4;
+    const out = outputOf(undefined, Uint32Array, deviceTableBytes(kind) / 4);
+    if (kind > 0) {
+      this.buildTables();
+      out.set(new Uint32Array(memory.buffer, tableWords(), out.length - head), head);
+    }
+    out.set(new Uint32Array(memory.buffer, deviceHead(), head));
+    return out;
   }
 
   /** Calls compute(n, i) for batches of n of `count` things, from thing i on, and copies the

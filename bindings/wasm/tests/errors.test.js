@@ -53,6 +53,8 @@ for (const [call, type, message] of [
     'there is no option "seed"; there are origin, out'],
   [() => library.cameraContexts(1, 1, 0, 0, { origin: 3 }), TypeError,
     "origin must be an array of two integers"],
+  [() => library.deviceTables("2D"), RangeError,
+    'draws must be one of "computed", "draws2D", "all", not "2D"'],
   [() => library.newDomain(contexts, 2 ** 32), RangeError,
     "scramble must be from 0 to 4294967295, not 4294967296"],
   [() => library.newDomainSplit(contexts, 1), TypeError,

@@ -3,6 +3,7 @@
 // What golden values do not say: batches, arrays to fill, and that both modules agree on many.
 
 import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
 import { test } from "node:test";
 import { load } from "wellstrat";
 
@@ -48,6 +49,17 @@ test("a run is what its contexts draw, however it is cut", () => {
     assert.deepEqual(run, library.draw(contexts, { dims: 3, generator }));
     assert.deepEqual(run.subarray(3 * 5000),
       library.samples(7, count - 5000, { first: 5100, dims: 3, generator }));
+  }
+});
+
+test("what shaders look up is what the tool writes", () => {
+  const all = library.deviceTables();
+  // sha256sum of the file of: wellstrat tables --layout device --export FILE
+  assert.equal(createHash("sha256").update(all).digest("hex"),
+    "9207c2dd4e8f5ea132de77160aa3d60214339d5241ae3ce71e572dab2de02bfb");
+  assert.deepEqual(scalar.deviceTables("all"), all);
+  for (const [draws, bytes] of [["computed", 70672], ["draws2D", 6362128]]) {
+    assert.deepEqual(library.deviceTables(draws), all.slice(0, bytes / 4));
   }
 });
 
