@@ -99,8 +99,8 @@ WELLSTRAT_EXPORT("tableRoom") uint32_t tableRoom() {
 /// Builds them. The memory must have room for them, or the module traps.
 WELLSTRAT_EXPORT("buildTables") void makeTables() { buildTables(); }
 
-/// The size of the block of device_tables.h for these draws, and where its parts are: the head, and the
-/// words of the tables, which must have been built.
+/// The size of the block of device_tables.h for these draws, and where its parts are: the head, and
+/// the words of the tables, which must have been built.
 WELLSTRAT_EXPORT("deviceTableBytes") uint32_t deviceBytes(uint32_t draws) {
     return static_cast<uint32_t>(deviceTableBytes(static_cast<DeviceDraws>(draws)));
 }
