@@ -98,8 +98,11 @@ def measure_speed():
             qmc.Sobol(2, seed=seed).random(64)
 
     patterns = np.arange(200)
-    rows.append(compared("`samples`: 200 patterns x 64 points, 2D", sobol, 1000, shortest(
-        lambda: wellstrat.samples(patterns, 64, generator="long"), sobol_patterns, turns=5)))
+    for name in ("pmj", "long"):
+        rows.append(compared(
+            f"`samples`: {name}, 200 patterns x 64 points, 2D", sobol, 1000, shortest(
+                lambda name=name: wellstrat.samples(patterns, 64, generator=name),
+                sobol_patterns, turns=5)))
 
     # All that SciPy knows, at once and one by one.
     points = wellstrat.samples(7, 2**14, dims=3, dtype=np.float64)

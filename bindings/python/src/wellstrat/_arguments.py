@@ -52,10 +52,11 @@ def words(values: Any, name: str) -> npt.NDArray[np.uint32]:
         return array
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} must be integers, not {array.dtype}")
-    if array.size > 0:
+    unsigned = array.astype(np.uint32)
+    if not np.array_equal(unsigned, array):
         for value in (array.min(), array.max()):
-            word(value, name)
-    return array.astype(np.uint32)
+            word(value, name)  # one of them is none
+    return unsigned
 
 
 def floats(values: Any, name: str) -> npt.NDArray[Any]:
