@@ -3,6 +3,8 @@
 
 import os
 
+from pygments.lexers import CLexer, CppLexer, RustLexer
+
 project = "wellstrat"
 author = copyright = "The wellstrat authors"
 release = version = os.environ["WELLSTRAT_VERSION"]
@@ -26,3 +28,9 @@ autodoc_typehints = "none"  # the docstrings have the types
 html_theme = "furo"
 html_title = f"wellstrat {release}"
 html_copy_source = False
+
+
+def setup(app):
+    """Shading languages that Pygments does not know look like those that it does."""
+    for name, lexer in (("metal", CppLexer), ("opencl", CLexer), ("wgsl", RustLexer)):
+        app.add_lexer(name, lexer)
