@@ -80,7 +80,7 @@ struct RenderJob {
     FrameSpan frames;
     ImageSize size;
     std::map<std::string, std::string> settings; ///< of the picture in work
-    Picture picture;                             ///< in work
+    RenderedPicture picture;                     ///< in work
 };
 
 std::map<std::string, std::string> settingsOf(const RenderOptions& options,
@@ -130,7 +130,7 @@ RenderJob prepare(const RenderOptions& options, bool root) {
     const uint64_t frame = resumed ? resumedFrame(options, frames, *resumed) : frames.first;
     moveCamera(options, firstCamera, frame, *scene);
     auto settings = settingsOf(options, *scene);
-    Picture picture = beginPicture(options, frame, size, settings, root);
+    RenderedPicture picture = beginPicture(options, frame, size, settings, root);
     if (resumed) resumePicture(options, picture, std::move(*resumed));
     auto threads = limitThreads(options.scene);
     auto renderer = makeRenderer(options.scene, *scene, size, generator);

@@ -22,14 +22,15 @@
 namespace wellstrat::cli {
 namespace {
 
-void saveCheckpoint(const RenderOptions& options, Picture& picture, const render::FilmPart& part) {
+void saveCheckpoint(const RenderOptions& options, RenderedPicture& picture,
+                    const render::FilmPart& part) {
     const std::optional<std::string> path = checkpointOf(options, picture.frame);
     if (!path) return;
     picture.checkpoints.attempt([&] { ImageFiles("--checkpoint", {*path}).write(part); });
 }
 
 /// What `picture` has when its pixels have the samples of `film`.
-render::FilmPart partOf(const Picture& picture, render::Film film) {
+render::FilmPart partOf(const RenderedPicture& picture, render::Film film) {
     render::FilmPart part = render::makePart(std::move(film), picture.plan.firstSample,
                                              picture.plan.endSample, picture.part.settings);
     part.firstSample = picture.part.firstSample;
@@ -70,7 +71,7 @@ std::string rateText(double rate) {
     return rate >= 1e4 ? fmt::format("{:.0f} thousand", rate * 1e-3) : fmt::format("{:.0f}", rate);
 }
 
-void sayDone(const RenderOptions& options, const Picture& picture, const render::Film& film,
+void sayDone(const RenderOptions& options, const RenderedPicture& picture, const render::Film& film,
              const RunCost& cost) {
     const std::string frame =
         isSequence(options) ? fmt::format(", frame {}", picture.frame) : std::string();
@@ -83,8 +84,8 @@ void sayDone(const RenderOptions& options, const Picture& picture, const render:
                              rateText(static_cast<double>(cost.segments) / cost.seconds)));
 }
 
-void sayStopped(const RenderOptions& options, const Picture& picture, const render::Film& film,
-                RenderEnd end) {
+void sayStopped(const RenderOptions& options, const RenderedPicture& picture,
+                const render::Film& film, RenderEnd end) {
     const std::string frame =
         isSequence(options) ? fmt::format(" in frame {}", picture.frame) : std::string();
     const bool isSaved =
@@ -96,7 +97,7 @@ void sayStopped(const RenderOptions& options, const Picture& picture, const rend
 
 /// Writes what is there: if the run has not come to its end, or the files cannot be written, to the
 /// checkpoint too.
-void writeAll(const RenderOptions& options, Picture& picture, const render::FilmPart& part,
+void writeAll(const RenderOptions& options, RenderedPicture& picture, const render::FilmPart& part,
               bool finished) {
     if (!finished) saveCheckpoint(options, picture, part);
     try {
@@ -108,7 +109,8 @@ void writeAll(const RenderOptions& options, Picture& picture, const render::Film
 }
 
 /// What rank 0 does after the run.
-void finish(const RenderOptions& options, Picture& picture, RenderEnd end, const RunCost& cost) {
+void finish(const RenderOptions& options, RenderedPicture& picture, RenderEnd end,
+            const RunCost& cost) {
     const render::FilmPart part = partOf(picture, std::move(picture.part.film));
     writeAll(options, picture, part, end == RenderEnd::finished);
     sayInvalid(part.film);
@@ -122,7 +124,7 @@ void finish(const RenderOptions& options, Picture& picture, RenderEnd end, const
 
 /// What a process that is alone does if the run failed and some samples are there. Throws what
 /// tells of both.
-[[noreturn]] void saveFailed(const RenderOptions& options, Picture& picture,
+[[noreturn]] void saveFailed(const RenderOptions& options, RenderedPicture& picture,
                              const std::exception& error) {
     const render::FilmPart part = partOf(picture, std::move(picture.part.film));
     writeAll(options, picture, part, false);
@@ -141,8 +143,8 @@ void tryFiles(const RenderOptions& options, uint64_t frame) {
     }
 }
 
-Picture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize size,
-                     const std::map<std::string, std::string>& settings, bool root) {
+RenderedPicture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize size,
+                             const std::map<std::string, std::string>& settings, bool root) {
     const SampleSpan span = samplesOf(options, frame);
     const std::string label = isSequence(options) ? fmt::format("frame {}", frame) : "render";
     render::FilmPart part{render::Film(size.width, size.height),
@@ -157,7 +159,7 @@ Picture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize siz
                  : nullptr};
 }
 
-void resumePicture(const RenderOptions& options, Picture& picture, render::FilmPart part) {
+void resumePicture(const RenderOptions& options, RenderedPicture& picture, render::FilmPart part) {
     const auto refuse = [&options](const std::string& reason) {
         return CliError(fmt::format("--resume: '{}' {}", *options.resume, reason));
     };
@@ -182,7 +184,7 @@ void resumePicture(const RenderOptions& options, Picture& picture, render::FilmP
 }
 
 RenderEnd renderPicture(const RenderOptions& options, const render::Renderer& renderer,
-                        const Ranks& ranks, Picture& picture) {
+                        const Ranks& ranks, RenderedPicture& picture) {
     const auto start = std::chrono::steady_clock::now();
     const uint64_t segmentsBefore = renderer.segments();
     std::optional<double> savePeriod;

@@ -21,7 +21,7 @@
 
 namespace wellstrat::cli {
 
-struct Picture {
+struct RenderedPicture {
     uint64_t frame;
     RenderPlan plan;
     render::FilmPart part;             ///< what is there of it
@@ -33,18 +33,18 @@ struct Picture {
 void tryFiles(const RenderOptions& options, uint64_t frame);
 
 /// A black picture. The files are opened if this is rank 0. Throws CliError.
-Picture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize size,
-                     const std::map<std::string, std::string>& settings, bool root);
+RenderedPicture beginPicture(const RenderOptions& options, uint64_t frame, ImageSize size,
+                             const std::map<std::string, std::string>& settings, bool root);
 
 /// Gives a picture that has begun the samples of `part`, which --resume names. Throws CliError if
 /// that is no part of this picture, from its first sample on.
-void resumePicture(const RenderOptions& options, Picture& picture, render::FilmPart part);
+void resumePicture(const RenderOptions& options, RenderedPicture& picture, render::FilmPart part);
 
 /// Adds what is missing, with checkpoints on the way, writes the files, and says what was done.
 /// Leaves `picture` without a film. Returns how it ended, the same in all ranks. If it throws, as
 /// for lack of memory, what a single process has is written nevertheless, and if the files cannot
 /// be written, the checkpoint.
 RenderEnd renderPicture(const RenderOptions& options, const render::Renderer& renderer,
-                        const Ranks& ranks, Picture& picture);
+                        const Ranks& ranks, RenderedPicture& picture);
 
 } // namespace wellstrat::cli
