@@ -235,10 +235,11 @@ void drawJoint(std::size_t n, const uint32_t* words, const SampleCtx* contexts, 
 
 template <typename Sample>
 void draw(std::size_t n, const uint32_t* words, SampleCtx* contexts, unsigned step, Sample* xis) {
+    constexpr bool isWide = kLanes >= 8; // 16 samples are one or two vectors
     ShuffledOrder order;
-    if (n == kLanes) {
+    if (isWide && n == kLanes) {
         drawBlock(std::integral_constant<std::size_t, 1>(), words, contexts, order, xis);
-    } else if (n == 2 * kLanes) {
+    } else if (isWide && n == 2 * kLanes) {
         drawBlock(std::integral_constant<std::size_t, 2>(), words, contexts, order, xis);
     } else {
         drawInOrder(n, words, contexts, order, xis);
