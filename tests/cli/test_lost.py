@@ -273,7 +273,8 @@ class MemoryTest(CliTest):
 
     @needs_renderer
     def test_pictures(self):
-        self.check((*range(400, 900, 25), 4000), *RENDER[:2], "--size", "256x256", "--spp", "1",
+        # With less than 500, OpenImageIO 2.4 may end when it is loaded, before anything of ours runs.
+        self.check((*range(500, 900, 25), 4000), *RENDER[:2], "--size", "256x256", "--spp", "1",
                    "--threads", "1", "-o", "a.exr")
 
     @needs_renderer
