@@ -3,7 +3,7 @@
 // Controls are the browser's own, which keyboards, fingers and screen readers know, each with a label.
 
 import type {ComponentChildren} from "preact";
-import {useEffect, useId, useState} from "preact/hooks";
+import {useId, useState} from "preact/hooks";
 
 interface ChoiceProps<T extends string> {
     label: string;
@@ -44,10 +44,10 @@ interface NumberProps {
 /** A whole number of [low, high]. What is not one stays in the field, marked, until it is left. */
 export function NumberField({label, value, low, high, onChange, children}: NumberProps) {
     const id = useId();
-    const [text, setText] = useState(String(value));
-    const accepts = (entry: string) =>
-        /^\d+$/.test(entry) && Number(entry) >= low && Number(entry) <= high;
-    useEffect(() => setText(String(value)), [value]);
+    const [entry, setEntry] = useState<string>(); // while it is being made
+    const text = entry ?? String(value);
+    const accepts = (number: string) =>
+        /^\d+$/.test(number) && Number(number) >= low && Number(number) <= high;
     return (
         <div class="control">
             <label for={id}>{label}</label>
@@ -61,11 +61,11 @@ export function NumberField({label, value, low, high, onChange, children}: Numbe
                     value={text}
                     aria-invalid={!accepts(text)}
                     onInput={event => {
-                        const entry = event.currentTarget.value;
-                        setText(entry);
-                        if (accepts(entry)) onChange(Number(entry));
+                        const number = event.currentTarget.value;
+                        setEntry(number);
+                        if (accepts(number)) onChange(Number(number));
                     }}
-                    onBlur={() => setText(String(value))}
+                    onBlur={() => setEntry(undefined)}
                 />
                 {children}
             </div>
