@@ -19,6 +19,10 @@ inline namespace stream1 {
 namespace {
 
 using batch::chosenKernels;
+using batch::DrawComputed;
+using batch::DrawJoint;
+using batch::DrawRun;
+using batch::DrawTables;
 using batch::Kernels;
 
 /// Null until the first batch or until a target is forced.
@@ -37,11 +41,8 @@ SampleCtx* readOnly(const SampleCtx* contexts) { return const_cast<SampleCtx*>(c
 /// Samples from the tables by one of the kernels, after which `step` is added to each sampleid.
 /// `function` is named where an array is too small.
 template <typename Sample>
-void drawFromTables(const char* function,
-                    void (*Kernels::*kernel)(std::size_t, const uint32_t*, SampleCtx*, unsigned,
-                                             Sample*),
-                    std::size_t n, ArrayArgument<SampleCtx> contexts, unsigned step,
-                    ArrayArgument<Sample> xis) {
+void drawFromTables(const char* function, DrawTables<Sample> Kernels::*kernel, std::size_t n,
+                    ArrayArgument<SampleCtx> contexts, unsigned step, ArrayArgument<Sample> xis) {
     if (n == 0) return;
     (chosenKernels().*kernel)(n, tables(), contexts.first(n, function), step,
                               xis.first(n, function));
@@ -49,9 +50,8 @@ void drawFromTables(const char* function,
 
 /// Samples of one pattern by one of the kernels, and by `random` those that no table has.
 template <typename Sample>
-void drawRun(void (*Kernels::*kernel)(std::size_t, const uint32_t*, uint32_t, uint32_t, Sample*),
-             Sample (*random)(uint32_t, uint32_t), std::size_t n, uint32_t patternid,
-             uint32_t first, Sample* xis) {
+void drawRun(DrawRun<Sample> Kernels::*kernel, Sample (*random)(uint32_t, uint32_t), std::size_t n,
+             uint32_t patternid, uint32_t first, Sample* xis) {
     for (std::size_t i = 0; i < n;) {
         const auto begin = static_cast<uint32_t>(first + i);
         if (begin < kStratifiedSamples) {
@@ -66,13 +66,9 @@ void drawRun(void (*Kernels::*kernel)(std::size_t, const uint32_t*, uint32_t, ui
 
 /// Samples in a domain of this order, by the kernel for padded ones or that for slots.
 template <typename Sample>
-void drawJoint(const char* function,
-               void (*Kernels::*padded)(std::size_t, const uint32_t*, SampleCtx*, unsigned,
-                                        Sample*),
-               void (*Kernels::*slot)(std::size_t, const uint32_t*, const SampleCtx*, unsigned,
-                                      unsigned, Sample*),
-               std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
-               ArrayArgument<Sample> xis) {
+void drawJoint(const char* function, DrawTables<Sample> Kernels::*padded,
+               DrawJoint<Sample> Kernels::*slot, std::size_t n,
+               ArrayArgument<const SampleCtx> contexts, Order order, ArrayArgument<Sample> xis) {
     if (!detail::hasSlot(order)) {
         return drawFromTables<Sample>(function, padded, n, readOnly(contexts.first(n, function)), 0,
                                       xis);
@@ -85,10 +81,8 @@ void drawJoint(const char* function,
 /// Samples of a computed sequence, or their bits, by one of the kernels. `function` is named where
 /// an array is too small.
 template <typename Result>
-void drawComputed(const char* function,
-                  void (*Kernels::*kernel)(std::size_t, const SampleCtx*, unsigned, unsigned,
-                                           Result*),
-                  std::size_t n, ArrayArgument<const SampleCtx> contexts, Order order,
+void drawComputed(const char* function, DrawComputed<Result> Kernels::*kernel, std::size_t n,
+                  ArrayArgument<const SampleCtx> contexts, Order order,
                   ArrayArgument<Result> results) {
     detail::checkOrder(order);
     if (n == 0) return;
