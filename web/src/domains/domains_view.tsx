@@ -3,12 +3,12 @@
 // The second view: the samples of two domains against each other.
 
 import {useMemo, useState} from "preact/hooks";
-import {maxCount, maxFirst, maxPattern} from "../address";
-import {Choice, CountSlider, NumberField} from "../controls";
-import {generators, strataChoices} from "../points/generators";
+import {maxCount} from "../address";
+import {Choice, CountSlider} from "../controls";
 import type {ViewProps} from "../points/points_view";
 import {Readout} from "../points/readout";
 import {ScatterPanel} from "../points/scatter_panel";
+import {SequenceControls} from "../points/sequence_controls";
 import {
     countInStrata,
     filledStrata,
@@ -68,34 +68,7 @@ export function DomainsView({library, view, change}: ViewProps) {
                     options={slots}
                     onChange={value => change({b: value})}
                 />
-                <Choice
-                    label="Generator"
-                    value={generator}
-                    options={generators}
-                    onChange={value => change({generator: value})}
-                />
-                <NumberField
-                    label="Pattern of the pixel"
-                    value={pattern}
-                    low={0}
-                    high={maxPattern}
-                    onChange={value => change({pattern: value})}
-                />
-                <NumberField
-                    label="First sample"
-                    value={first}
-                    low={0}
-                    high={maxFirst}
-                    onChange={value => change({first: value})}
-                />
-                <Choice
-                    label="Strata"
-                    value={strata}
-                    options={strataChoices.filter(
-                        ([name]) => !(Number(name) > strataDigits(count)) || name === strata,
-                    )}
-                    onChange={value => change({strata: value})}
-                />
+                <SequenceControls pattern="Pattern of the pixel" view={view} change={change} />
             </div>
             <div>
                 <p>

@@ -4,15 +4,15 @@
 
 import {useCallback, useMemo, useState} from "preact/hooks";
 import type {Wellstrat} from "wellstrat";
-import {maxCount, maxFirst, maxPattern, type View} from "../address";
+import {maxCount, type View} from "../address";
 import {Canvas} from "../canvas";
 import {Choice, CountSlider, NumberField} from "../controls";
 import {colorOf} from "../theme";
 import {drawCube} from "./cube";
-import {generators, strataChoices} from "./generators";
 import type {Groups} from "./scatter";
 import {Readout} from "./readout";
 import {ScatterPanel} from "./scatter_panel";
+import {SequenceControls} from "./sequence_controls";
 import {SpectrumPanel} from "./spectrum_panel";
 import {countInStrata, filledStrata, strataDigits, strataShape} from "./strata";
 
@@ -104,34 +104,7 @@ export function PointsView({library, view, change}: ViewProps) {
                     high={maxCount}
                     onChange={value => change({count: value})}
                 />
-                <Choice
-                    label="Generator"
-                    value={generator}
-                    options={generators}
-                    onChange={value => change({generator: value})}
-                />
-                <NumberField
-                    label="Pattern"
-                    value={pattern}
-                    low={0}
-                    high={maxPattern}
-                    onChange={value => change({pattern: value})}
-                />
-                <NumberField
-                    label="First sample"
-                    value={first}
-                    low={0}
-                    high={maxFirst}
-                    onChange={value => change({first: value})}
-                />
-                <Choice
-                    label="Strata"
-                    value={strata}
-                    options={strataChoices.filter(
-                        ([name]) => !(Number(name) > strataDigits(count)) || name === strata,
-                    )}
-                    onChange={value => change({strata: value})}
-                />
+                <SequenceControls pattern="Pattern" view={view} change={change} />
                 <Choice
                     label="Colors"
                     value={color}
