@@ -5,6 +5,7 @@
 
 #include "buffer.h"
 #include "draw.h"
+#include "errors.h"
 #include "gil.h"
 #include "map.h"
 
@@ -182,5 +183,6 @@ PYBIND11_MODULE(_core, m) {
     m.def("apply_map", applyMap);
     m.def("joint_scramble", jointScramble);
 
+    nameWhatIsMissing();
     watchForExit();
 }
