@@ -4,6 +4,7 @@
 // measure points need FFTW. Arrays are contiguous and of the right size: analysis.py checks before.
 
 #include "buffer.h"
+#include "errors.h"
 #include "interruptible.h"
 #include "study.h"
 
@@ -237,5 +238,6 @@ PYBIND11_MODULE(_analysis, m) {
         .def("add_points", addPoints)
         .def("results", results);
 
+    nameWhatIsMissing();
     watchForExit();
 }

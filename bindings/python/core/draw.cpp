@@ -82,6 +82,18 @@ void drawRunOfTables(std::size_t n, uint32_t patternid, uint32_t first, unsigned
     }
 }
 
+/// Calls some(pattern, first, n) for the part of each run that is within [begin, end).
+template <typename Some>
+void forRuns(const Runs& runs, std::size_t begin, std::size_t end, Some some) {
+    if (begin == end) return;
+    const uint32_t* pattern = runs.patterns + begin / runs.count;
+    for (std::size_t sample = begin % runs.count; begin < end; sample = 0) {
+        const std::size_t n = std::min(runs.count - sample, end - begin);
+        some(*pattern++, runs.first + static_cast<uint32_t>(sample), n);
+        begin += n;
+    }
+}
+
 } // namespace
 
 void draw(std::size_t n, const SampleCtx* contexts, const Drawing& drawing, float* xis) {
@@ -124,23 +136,30 @@ void draw(std::size_t n, const SampleCtx* contexts, const Drawing& drawing, doub
 }
 
 template <typename Real>
-void drawRun(std::size_t n, uint32_t patternid, uint32_t first, const Drawing& drawing, Real* xis) {
+void drawRuns(const Runs& runs, std::size_t begin, std::size_t end, const Drawing& drawing,
+              Real* xis) {
     if constexpr (std::is_same_v<Real, float>) {
         if (drawing.generator == Generator::pmj && drawing.order.slot == kJointSlots) {
-            return drawRunOfTables(n, patternid, first, drawing.dims, xis);
+            return forRuns(runs, begin, end, [&](uint32_t pattern, uint32_t first, std::size_t n) {
+                drawRunOfTables(n, pattern, first, drawing.dims, xis);
+                xis += n * drawing.dims;
+            });
         }
     }
-    SampleCtx contexts[kBlock];
-    for (std::size_t begin = 0; begin < n; begin += kBlock) {
-        const std::size_t block = std::min(kBlock, n - begin);
-        for (std::size_t i = 0; i < block; ++i) {
-            contexts[i] = {patternid, first + static_cast<uint32_t>(begin + i)};
-        }
-        draw(block, contexts, drawing, xis + begin * drawing.dims);
+    alignas(64) SampleCtx contexts[kBlock];
+    for (std::size_t n = 0; begin < end; begin += n, xis += n * drawing.dims) {
+        n = std::min(kBlock, end - begin);
+        SampleCtx* next = contexts;
+        forRuns(runs, begin, begin + n, [&](uint32_t pattern, uint32_t sample, std::size_t some) {
+            for (SampleCtx* const stop = next + some; next != stop; ++next, ++sample) {
+                *next = {pattern, sample};
+            }
+        });
+        draw(n, contexts, drawing, xis);
     }
 }
 
-template void drawRun(std::size_t, uint32_t, uint32_t, const Drawing&, float*);
-template void drawRun(std::size_t, uint32_t, uint32_t, const Drawing&, double*);
+template void drawRuns(const Runs&, std::size_t, std::size_t, const Drawing&, float*);
+template void drawRuns(const Runs&, std::size_t, std::size_t, const Drawing&, double*);
 
 } // namespace python

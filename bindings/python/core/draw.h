@@ -28,11 +28,19 @@ struct Drawing {
 void draw(std::size_t n, const wellstrat::SampleCtx* contexts, const Drawing& drawing, float* xis);
 void draw(std::size_t n, const wellstrat::SampleCtx* contexts, const Drawing& drawing, double* xis);
 
-/// The same of the contexts (patternid, first + i).
-template <typename Real>
-void drawRun(std::size_t n, uint32_t patternid, uint32_t first, const Drawing& drawing, Real* xis);
+/// The samples first to first + count - 1 of each of several patterns.
+struct Runs {
+    const uint32_t* patterns;
+    std::size_t count;
+    uint32_t first;
+};
 
-extern template void drawRun(std::size_t, uint32_t, uint32_t, const Drawing&, float*);
-extern template void drawRun(std::size_t, uint32_t, uint32_t, const Drawing&, double*);
+/// The same of the samples [begin, end) of all runs, counted from the first of the first pattern.
+template <typename Real>
+void drawRuns(const Runs& runs, std::size_t begin, std::size_t end, const Drawing& drawing,
+              Real* xis);
+
+extern template void drawRuns(const Runs&, std::size_t, std::size_t, const Drawing&, float*);
+extern template void drawRuns(const Runs&, std::size_t, std::size_t, const Drawing&, double*);
 
 } // namespace python

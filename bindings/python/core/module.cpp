@@ -5,6 +5,7 @@
 
 #include "buffer.h"
 #include "draw.h"
+#include "errors.h"
 #include "gil.h"
 #include "map.h"
 
@@ -47,20 +48,16 @@ void drawContexts(const py::object& contexts, Generator generator, unsigned dims
 }
 
 template <typename Real>
-void drawRuns(const py::object& patterns, std::size_t count, uint32_t first, Generator generator,
-              unsigned dims, unsigned slot, double offset, const py::object& out) {
+void drawPatterns(const py::object& patterns, std::size_t count, uint32_t first,
+                  Generator generator, unsigned dims, unsigned slot, double offset,
+                  const py::object& out) {
     const Buffer<const uint32_t> ids(patterns);
     const Buffer<Real> xis(out);
     xis.expect(ids.size() * count * dims);
     const Drawing drawing = makeDrawing(generator, dims, slot, 1, offset);
+    const Runs runs{ids.data(), count, first};
     computeUnlocked(ids.size() * count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end;) { // some of each pattern
-            const std::size_t sample = i % count;
-            const std::size_t n = std::min(count - sample, end - i);
-            drawRun(n, ids.data()[i / count], first + static_cast<uint32_t>(sample), drawing,
-                    xis.data() + i * dims);
-            i += n;
-        }
+        drawRuns(runs, begin, end, drawing, xis.data() + begin * dims);
     });
 }
 
@@ -173,8 +170,8 @@ PYBIND11_MODULE(_core, m) {
     m.def("batch_target", wellstrat::chosenBatchTarget);
     m.def("draw_float32", drawContexts<float>);
     m.def("draw_float64", drawContexts<double>);
-    m.def("samples_float32", drawRuns<float>);
-    m.def("samples_float64", drawRuns<double>);
+    m.def("samples_float32", drawPatterns<float>);
+    m.def("samples_float64", drawPatterns<double>);
     m.def("camera_contexts", cameraContexts);
     m.def("blue_contexts", blueContexts);
     m.def("new_domain_split",
@@ -186,5 +183,6 @@ PYBIND11_MODULE(_core, m) {
     m.def("apply_map", applyMap);
     m.def("joint_scramble", jointScramble);
 
+    nameWhatIsMissing();
     watchForExit();
 }

@@ -189,6 +189,8 @@ WRONG = [
     (lambda: analysis.t_value(np.zeros((2, 7))), ValueError, "dimensions is 7; accepted are 1 to 6"),
     (lambda: analysis.t_value(XY.astype(str)), TypeError, "points must be real numbers"),
     (lambda: analysis.projected_t_values(XY, 0), ValueError, "max_dims must be from 1 to 6"),
+    (lambda: analysis.l2_discrepancies(XY, None), TypeError, "kinds must be a list of names, not None"),
+    (lambda: analysis.independence(7), TypeError, "streams must be a list of arrays, not 7"),
     (lambda: analysis.l2_discrepancies(XY[:0]), ValueError, "there are no points"),
     (lambda: analysis.l2_discrepancies(np.zeros((2, 0))), ValueError, "from 1 to 64, not 0"),
     (lambda: analysis.l2_discrepancies(np.zeros((2, 65))), ValueError, "from 1 to 64, not 65"),

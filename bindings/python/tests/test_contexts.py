@@ -60,7 +60,7 @@ def test_scrambles_of_slots():
 
 @pytest.mark.parametrize("call, error, text", [
     (lambda: wellstrat.contexts(-1, 0), ValueError, "patternid must be from 0"),
-    (lambda: wellstrat.contexts(0, [0.5]), TypeError, "sampleid must be integers, not float64"),
+    (lambda: wellstrat.contexts(0, [0.5]), TypeError, "sampleid must be an integer, not 0.5"),
     (lambda: wellstrat.contexts([1, 2], [1, 2, 3]), ValueError, "shape mismatch"),
     (lambda: wellstrat.camera_contexts(2**20, 2**20), ValueError, "width must be from 0 to 65536"),
     (lambda: wellstrat.camera_contexts(4, -1), ValueError, "height must be from 0"),

@@ -20,13 +20,13 @@ SPECIFICATION.loader.exec_module(bench)
 @pytest.mark.parametrize("integrand", bench.INTEGRANDS, ids=lambda integrand: integrand.name)
 def test_errors_are_those_of_nested_scrambling(integrand):
     seeds = 2000  # the standard error of an RMSE is 1.6 %: errors are almost normal
-    for log_samples in (4, 7):
+    for log_samples in (4, 6, 7, 10):
         net = qmc.Sobol(integrand.dims, scramble=False).random(2**log_samples)
         points = (wellstrat.qmc.OwenSobol(integrand.dims, seed=seed).random(2**log_samples)
                   for seed in range(seeds))
         errors = [integrand.values(xy).mean() - integrand.mean**integrand.dims for xy in points]
         ratio = bench.root_mean_square(np.array(errors)) / integrand.exact_rmse(bench.gains(net))
-        assert abs(ratio - 1) < 0.1
+        assert abs(ratio - 1) < 0.07
 
 
 def test_gains_of_nets():

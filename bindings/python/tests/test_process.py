@@ -148,6 +148,27 @@ def test_threads_measure_meanwhile():
             assert found == expected
 
 
+def test_what_the_computer_lacks_is_named():
+    assert run("""
+        import resource, numpy, wellstrat
+        picture, points = numpy.zeros((2000, 2000)), numpy.full((4, 2), 0.5)
+        measure, discrepancies = wellstrat.analysis.picture_spectrum, wellstrat.analysis.l2_discrepancies
+
+        def within(mebibytes, call):  # beside what is in use
+            with open("/proc/self/statm") as file:
+                used = int(file.read().split()[0]) * resource.getpagesize()
+            resource.setrlimit(resource.RLIMIT_AS, (used + mebibytes * 2**20, -1))
+            try:
+                call()
+            except Exception as error:
+                print(f"{type(error).__name__}: {error}")
+
+        within(20, lambda: measure(picture))  # needs a copy of 32 MB
+        within(4, lambda: discrepancies(points))  # needs a thread with a stack
+    """) == ("MemoryError: there is not enough memory\n"
+             "RuntimeError: no thread can be started: Resource temporarily unavailable\n")
+
+
 def test_sub_interpreters_are_refused():
     interpreters = pytest.importorskip("_xxsubinterpreters")
     interpreter = interpreters.create()

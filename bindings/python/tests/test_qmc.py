@@ -147,10 +147,11 @@ def test_neighboring_pixels_know_of_each_other():
 
 
 class NewerEngine(stats.qmc.QMCEngine):
-    """As of SciPy 1.15: the argument is called `rng`."""
+    """As of SciPy 1.15: the argument is called `rng`, and what is drawn from is spawned from it."""
 
     def __init__(self, d, *, optimization=None, rng=None):
-        super().__init__(d, optimization=optimization, seed=rng)
+        sequence, = np.random.default_rng(rng).bit_generator._seed_seq.spawn(1)
+        super().__init__(d, optimization=optimization, seed=np.random.default_rng(sequence))
 
     def _random(self, n=1, *, workers=1):
         raise NotImplementedError
@@ -168,12 +169,17 @@ def test_the_argument_of_newer_versions_of_scipy(monkeypatch):
     for name in ("seed", "rng"):
         sample = newer["OwenSobol"](2, **{name: 9}).random(8)
         assert np.array_equal(sample, qmc.OwenSobol(2, seed=9).random(8))
+    for source in (np.random.default_rng, np.random.RandomState):
+        sample = newer["PMJ"](2, seed=source(9)).random(8)
+        assert np.array_equal(sample, qmc.PMJ(2, seed=source(9)).random(8))
 
 
 @pytest.mark.parametrize("call, error, text", [
     (lambda engine: engine(-1), ValueError, "d must be a non-negative integer"),
     (lambda engine: engine(1.5), ValueError, "d must be a non-negative integer"),
-    (lambda engine: engine(2, seed="x"), ValueError, "cannot be used to seed"),
+    (lambda engine: engine(10**9), ValueError, "d must be from 0 to 65536, not 1000000000"),
+    (lambda engine: engine(2, seed="x"), TypeError, "seed must be None, an integer or a Generator"),
+    (lambda engine: engine(2, seed=-1), ValueError, "non-negative"),
     (lambda engine: engine(2, seed=1, rng=1), TypeError, "two names of one argument"),
     (lambda engine: engine(2).random(-1), ValueError, "n must be from 0 to 4294967296, not -1"),
     (lambda engine: engine(2).random(2**40), ValueError, "n must be from 0 to 4294967296"),
@@ -187,5 +193,5 @@ def test_refused(engine, call, error, text):
 
 
 def test_pixels_are_refused():
-    with pytest.raises(TypeError, match="origin must be a pair of integers"):
+    with pytest.raises(TypeError, match="pixel must be a pair of integers"):
         qmc.Blue(2, pixel=3)

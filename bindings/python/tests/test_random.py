@@ -12,8 +12,10 @@ def test_random_numbers_are_uniform_and_repeatable():
     assert numbers.shape == (2, 10000) and numbers.dtype == np.float32
     assert np.array_equal(numbers[1], wellstrat.hash_to_random(2, range(10000)))
     assert abs(numbers.mean() - 0.5) < 4 / np.sqrt(12 * numbers.size)
-    with pytest.raises(ValueError, match="patternid must be from 0"):
+    with pytest.raises(ValueError, match="a must be from 0"):
         wellstrat.hash_to_random(-1, 0)
+    with pytest.raises(TypeError, match="b must be an integer, not 0.5"):
+        wellstrat.hash_to_random(0, 0.5)
 
 
 def test_choices_follow_weights():
@@ -55,7 +57,7 @@ def test_double_samples_never_become_one():
     ([0.5], [0, 0], "weights must be at least 0, and not all 0"),
     ([0.5], [], "weights must be at least 0, and not all 0"),
     ([0.5], 1.0, "at least one dimension"),
-    ([0.5], [[1, 1], [1, 1]], "broadcast"),
+    ([0.5], [[1, 1], [1, 1]], r"weights must broadcast to shape \(1, 2\), not \(2, 2\)"),
 ])
 def test_refused(xi, weights, text):
     with pytest.raises(ValueError, match=text):

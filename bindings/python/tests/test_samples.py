@@ -32,6 +32,26 @@ def test_several_patterns():
     assert wellstrat.samples(5, 0).shape == (0, 2)
 
 
+def test_integers_of_all_kinds_are_patterns():
+    expected = wellstrat.samples(np.array([1, 0, 2], np.uint32), 4)
+    for same in ([1, 0, 2], (True, False, 2), range(3), np.array([1, 0, 2], np.int8),
+                 np.array([1, 0, 2], ">i8"), np.array([1, 0, 2], object)):
+        order = [1, 0, 2] if isinstance(same, range) else slice(None)
+        assert np.array_equal(wellstrat.samples(same, 4), expected[order])
+    assert wellstrat.samples([], 4).shape == (0, 4, 2)
+    assert np.array_equal(wellstrat.samples(True, 4), wellstrat.samples(1, 4))
+
+
+@pytest.mark.parametrize("generator", GENERATORS)
+@pytest.mark.parametrize("dtype", DTYPES)
+def test_runs_are_of_any_length(generator, dtype):
+    patterns = np.arange(2000, 2070)
+    for count, first in ((1, 2**32 - 1), (7, 4090), (300, 5)):  # 512 are computed at a time
+        contexts = wellstrat.contexts(patterns[:, np.newaxis], first + np.arange(count))
+        assert np.array_equal(wellstrat.samples(patterns, count, first, 3, generator, dtype=dtype),
+                              wellstrat.draw(contexts, 3, generator, dtype=dtype))
+
+
 def test_long_runs_are_computed_in_parts():
     count = 2**22 + 5  # more than one part, and no whole number of blocks
     run = wellstrat.samples([1, 2], count, 3, dims=1, generator="long")
@@ -124,7 +144,13 @@ READ_ONLY.flags.writeable = False
     ({"pattern": 2**32}, ValueError, "pattern must be from 0 to 4294967295, not 4294967296"),
     ({"pattern": [1, -1]}, ValueError, "pattern must be from 0 to 4294967295, not -1"),
     ({"pattern": 0.5}, TypeError, "pattern must be an integer, not 0.5"),
-    ({"pattern": [0.5]}, TypeError, "pattern must be integers, not float64"),
+    ({"pattern": [0.5]}, TypeError, "pattern must be an integer, not 0.5"),
+    ({"pattern": np.array([0.5])}, TypeError, "pattern must be integers, not float64"),
+    ({"pattern": np.array([False])}, TypeError, "pattern must be integers, not bool"),
+    ({"pattern": [1, 2**64]}, ValueError, "pattern must be from 0 to 4294967295, not 184467"),
+    ({"pattern": [2**63, -1]}, ValueError, "pattern must be from 0 to 4294967295, not 922337"),
+    ({"pattern": np.array([-(2**31)], np.int32)}, ValueError, "not -2147483648"),
+    ({"pattern": np.array([1, 2**63], np.uint64)}, ValueError, "not 9223372036854775808"),
     ({"pattern": "7"}, TypeError, "pattern must be an integer, not '7'"),
     ({"pattern": 2**70}, ValueError, "pattern must be from 0 to 4294967295"),
     ({"pattern": float("nan")}, TypeError, "pattern must be an integer, not nan"),

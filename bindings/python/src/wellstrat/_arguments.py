@@ -47,16 +47,18 @@ def words(values: Any, name: str) -> npt.NDArray[np.uint32]:
     """`values`, integers of any shape, as unsigned integers of 32 bits in C order."""
     array = np.asarray(values, order="C")
     if array.ndim == 0:
-        return np.array(word(array[()], name), np.uint32)
+        return np.array(word(array.item(), name), np.uint32)
     if array.dtype == np.uint32:
         return array
     if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} must be integers, not {array.dtype}")
-    unsigned = array.astype(np.uint32)
-    if not np.array_equal(unsigned, array):
+        if isinstance(values, np.ndarray) and array.dtype != object:
+            raise TypeError(f"{name} must be integers, not {array.dtype}")
+        each = np.asarray(values, object)  # integers of Python may be of no type of NumPy's
+        return np.array([word(value, name) for value in each.flat], np.uint32).reshape(each.shape)
+    if int(np.bitwise_or.reduce(array, axis=None)) >> 32:
         for value in (array.min(), array.max()):
             word(value, name)  # one of them is none
-    return unsigned
+    return array.astype(np.uint32)
 
 
 def floats(values: Any, name: str) -> npt.NDArray[Any]:

@@ -41,16 +41,21 @@ def contexts(patternid: npt.ArrayLike, sampleid: npt.ArrayLike) -> npt.NDArray[n
     return result
 
 
+def pixel_of(value: Any, name: str) -> tuple[int, int]:
+    """`value`, x and y, modulo 65536."""
+    try:
+        x, y = value
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} must be a pair of integers, not {value!r}") from None
+    everything = 2**63
+    return (integer(x, name, -everything, everything) % _SIDE,
+            integer(y, name, -everything, everything) % _SIDE)
+
+
 def _pixels(width: Any, height: Any, origin: Any) -> tuple[int, int, int, int]:
     columns = integer(width, "width", 0, _SIDE + 1)
     rows = integer(height, "height", 0, _SIDE + 1)
-    try:
-        x, y = origin
-    except (TypeError, ValueError):
-        raise TypeError(f"origin must be a pair of integers, not {origin!r}") from None
-    everything = 2**63
-    return (columns, rows, integer(x, "origin", -everything, everything) % _SIDE,
-            integer(y, "origin", -everything, everything) % _SIDE)
+    return (columns, rows, *pixel_of(origin, "origin"))
 
 
 def camera_contexts(width: Int, height: Int, frame: Int = 0, sampleid: Int = 0, *, seed: Int = 0,

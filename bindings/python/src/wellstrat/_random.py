@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import finite, floats, unit_floats
+from ._arguments import finite, floats, unit_floats, words
 from ._contexts import contexts
 
 
@@ -33,7 +33,7 @@ def hash_to_random(a: npt.ArrayLike, b: npt.ArrayLike) -> npt.NDArray[np.float32
     >>> round(float(wellstrat.hash_to_random(1, range(1000)).mean()), 1)
     0.5
     """
-    source = contexts(a, b)
+    source = contexts(words(a, "a"), words(b, "b"))
     result = np.empty(source.shape, np.float32)
     _core.hash_to_random(source, result)
     return result
@@ -86,7 +86,11 @@ def choose_and_remap(xi: npt.ArrayLike, weights: npt.ArrayLike) -> Choice:
     rows = _weights(weights)
     choices = rows.shape[-1]
     if rows.ndim > 1:
-        rows = np.broadcast_to(rows, remapped.shape + (choices,))
+        shape = remapped.shape + (choices,)
+        try:
+            rows = np.broadcast_to(rows, shape)
+        except ValueError:
+            raise ValueError(f"weights must broadcast to shape {shape}, not {rows.shape}") from None
     chosen = np.empty(remapped.shape, np.int64)
     probability = np.empty(remapped.shape, np.float32)
     _core.choose_and_remap(remapped, np.ascontiguousarray(rows), choices, chosen, probability)

@@ -11,7 +11,7 @@ computing then goes on in a thread of its own until it is done, and is lost.
 from __future__ import annotations
 
 import itertools
-from typing import Any, Sequence
+from typing import Any, Iterable, Sequence
 
 import numpy as np
 import numpy.typing as npt
@@ -117,7 +117,7 @@ def l2_discrepancies(points: npt.ArrayLike,
     >>> {kind: f"{value:.4f}" for kind, value in found.items()}
     {'star': '0.0026', 'centered': '0.0033'}
     """
-    if isinstance(kinds, str):
+    if isinstance(kinds, str) or not isinstance(kinds, Iterable):
         raise TypeError(f"kinds must be a list of names, not {kinds!r}")
     names = list(kinds)
     chosen = [_one_of(_KINDS, kind, "kinds") for kind in names]
@@ -323,6 +323,8 @@ def independence(streams: Sequence[npt.ArrayLike], *, grid_side: Int | None = No
     >>> wellstrat.analysis.independence([streams[0], streams[0]])["probability"] < 1e-9
     True
     """
+    if not isinstance(streams, Iterable):
+        raise TypeError(f"streams must be a list of arrays, not {streams!r}")
     arrays = [_points(stream, f"streams[{i}]") for i, stream in enumerate(streams)]
     count = len(arrays[0][0]) if arrays else 0
     side = _analysis.usual_grid_side(count) if grid_side is None else integer(

@@ -197,7 +197,8 @@ def errors(found: Mapping[str, Mapping[str, Any]], integrand: str | None = None,
     ('disk', 2)
     """
     if not isinstance(found, Mapping) or not found or not all(
-            isinstance(by_integrand, Mapping) for by_integrand in found.values()):
+            isinstance(by_integrand, Mapping) and all(map(_is_study, by_integrand.values()))
+            for by_integrand in found.values()):
         raise TypeError("found must be what analysis.study returned")
     names = [name for name in next(iter(found.values()))
              if all(name in by_integrand for by_integrand in found.values())]
@@ -218,6 +219,11 @@ def errors(found: Mapping[str, Mapping[str, Any]], integrand: str | None = None,
     axes.grid(color="0.9")
     axes.legend()
     return axes
+
+
+def _is_study(known: Any) -> bool:
+    """Whether these are errors by number of points."""
+    return isinstance(known, Mapping) and {"count", "rmse", "low", "high"} <= set(known)
 
 
 def _axes(ax: Axes | None) -> Axes:

@@ -15,7 +15,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import WORDS, generator_of, integer
-from ._contexts import blue_contexts, contexts, joint_scramble, new_domain
+from ._contexts import blue_contexts, contexts, joint_scramble, new_domain, pixel_of
 
 try:
     from scipy.stats.qmc import QMCEngine
@@ -28,6 +28,7 @@ __all__ = ["Blue", "OwenSobol", "PMJ"]
 # SciPy 1.15 calls the argument `rng`, and 1.10 to 1.14 know only `seed`.
 _SEED = "rng" if "rng" in inspect.signature(QMCEngine.__init__).parameters else "seed"
 
+_MOST_DIMS = 2**16
 _COLUMNS = 2  # of a slot
 _PADDING = 0x4528_21E6  # tells groups of slots apart; digits of the fraction of pi
 
@@ -40,6 +41,16 @@ class _Domain(NamedTuple):
     dims: int
 
 
+def _random_word(seed: Any) -> int:
+    """Of a seed, the same with any SciPy: versions differ in what they draw from one."""
+    if isinstance(seed, np.random.RandomState):
+        return int(seed.randint(WORDS, dtype=np.int64))
+    try:
+        return int(np.random.default_rng(seed).integers(WORDS))
+    except TypeError:
+        raise TypeError(f"seed must be None, an integer or a Generator, not {seed!r}") from None
+
+
 class _Engine(QMCEngine):
     """What all engines share. `_bits` is how many bits a sample has."""
 
@@ -50,11 +61,11 @@ class _Engine(QMCEngine):
                  optimization: Any = None) -> None:
         if seed is not None and rng is not None:
             raise TypeError("seed and rng are two names of one argument: give one of them")
-        source = rng if seed is None else seed
-        super().__init__(d, optimization=optimization, **{_SEED: source})
+        word = _random_word(rng if seed is None else seed)
+        super().__init__(d, optimization=optimization, **{_SEED: word})
+        integer(d, "d", 0, _MOST_DIMS + 1)
         self._init_quad: dict[str, Any] = {"d": d, "optimization": optimization}
-        draw = getattr(self.rng, "integers", None) or self.rng.randint
-        self._domains = self._split(self._root(int(draw(WORDS, dtype=np.int64))))
+        self._domains = self._split(self._root(word))
 
     def _root(self, word: int) -> npt.NDArray[np.void]:
         """The context that the samples of a random word begin with."""
@@ -128,7 +139,7 @@ class OwenSobol(_Engine):
     Parameters
     ----------
     d : int
-        Dimensions. Up to 3 are one domain: any ``2**m`` samples from a multiple of ``2**m`` on are
+        Dimensions, at most 65536. Up to 3 are one domain: any ``2**m`` samples from a multiple of ``2**m`` on are
         a (0, m, 2)-net in the first two dimensions and a (1, m, 3)-net in three. More are pairs of
         dimensions, each a (0, m, 2)-net. 16 pairs are slots, which are stratified together;
         further groups of 16, from dimension 33 on, are combined with them at random.
@@ -213,7 +224,7 @@ class Blue(_Engine):
 
     def __init__(self, d: int, *, pixel: tuple[int, int] = (0, 0), seed: Any = None,
                  rng: Any = None, optimization: Any = None) -> None:
-        self._pixel = pixel
+        self._pixel = pixel_of(pixel, "pixel")
         super().__init__(d, seed=seed, rng=rng, optimization=optimization)
         self._init_quad["pixel"] = pixel
 
