@@ -118,15 +118,27 @@ inline Floats toUnitFloats(Words v) {
 /// toUnitFloat of the first word, where it is in such a register already.
 inline float toUnitFloat(Words v) { return toUnitFloats(v)[0]; }
 
+#if WELLSTRAT_VECTOR_PRODUCTS
+
+/// The 64-bit products of the lower words of both halves.
+inline WordPairs products(WordPairs a, WordPairs b) {
+    return reinterpret_cast<WordPairs>(
+        __builtin_ia32_pmuludq128(reinterpret_cast<Integers>(a), reinterpret_cast<Integers>(b)));
+}
+
+/// The words with their lower and upper 16 bits exchanged.
+inline Words exchangedHalves(Words v) {
+    using Halves __attribute__((vector_size(16))) = uint16_t;
+    const auto halves = reinterpret_cast<Halves>(v);
+    return reinterpret_cast<Words>(__builtin_shufflevector(halves, halves, 1, 0, 3, 2, 5, 4, 7, 6));
+}
+
+#endif
+
 /// The 64-bit product of two words, in a vector register from the start.
 inline WordPairs product(uint32_t a, uint32_t b) {
-#if defined(__clang__)
-    constexpr WordPairs lower{0xffffffffu, 0xffffffffu}; // so it knows that one instruction will do
-    return (reinterpret_cast<WordPairs>(Words{a}) & lower) *
-           (reinterpret_cast<WordPairs>(Words{b}) & lower);
-#elif defined(__SSE2__)
-    return reinterpret_cast<WordPairs>(__builtin_ia32_pmuludq128(
-        Integers{static_cast<int32_t>(a)}, Integers{static_cast<int32_t>(b)}));
+#if WELLSTRAT_VECTOR_PRODUCTS
+    return products(reinterpret_cast<WordPairs>(Words{a}), reinterpret_cast<WordPairs>(Words{b}));
 #else
     return WordPairs{uint64_t{a} * b};
 #endif

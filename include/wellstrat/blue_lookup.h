@@ -151,27 +151,27 @@ WELLSTRAT_HOST_DEVICE inline Float3 blueSlotSample3D(const detail::BlueTables& t
 }
 
 /// The same from the tables of the process.
-inline float blueSample1D(uint32_t patternid, uint32_t sampleid) {
+WELLSTRAT_NOINLINE inline float blueSample1D(uint32_t patternid, uint32_t sampleid) {
     return blueSample1D(detail::kBlueTables, patternid, sampleid);
 }
-inline Float2 blueSample2D(uint32_t patternid, uint32_t sampleid) {
+WELLSTRAT_NOINLINE inline Float2 blueSample2D(uint32_t patternid, uint32_t sampleid) {
     return blueSample2D(detail::kBlueTables, patternid, sampleid);
 }
-inline Float3 blueSample3D(uint32_t patternid, uint32_t sampleid) {
+WELLSTRAT_NOINLINE inline Float3 blueSample3D(uint32_t patternid, uint32_t sampleid) {
     return blueSample3D(detail::kBlueTables, patternid, sampleid);
 }
-inline float blueSlotSample1D(uint32_t patternid, uint32_t sampleid, unsigned slot,
-                              unsigned split) {
+WELLSTRAT_NOINLINE inline float blueSlotSample1D(uint32_t patternid, uint32_t sampleid,
+                                                 unsigned slot, unsigned split) {
     return blueSlotSample1D(detail::kBlueTables, detail::kSlotOrders, patternid, sampleid, slot,
                             split);
 }
-inline Float2 blueSlotSample2D(uint32_t patternid, uint32_t sampleid, unsigned slot,
-                               unsigned split) {
+WELLSTRAT_NOINLINE inline Float2 blueSlotSample2D(uint32_t patternid, uint32_t sampleid,
+                                                  unsigned slot, unsigned split) {
     return blueSlotSample2D(detail::kBlueTables, detail::kSlotOrders, patternid, sampleid, slot,
                             split);
 }
-inline Float3 blueSlotSample3D(uint32_t patternid, uint32_t sampleid, unsigned slot,
-                               unsigned split) {
+WELLSTRAT_NOINLINE inline Float3 blueSlotSample3D(uint32_t patternid, uint32_t sampleid,
+                                                  unsigned slot, unsigned split) {
     return blueSlotSample3D(detail::kBlueTables, detail::kSlotOrders, patternid, sampleid, slot,
                             split);
 }

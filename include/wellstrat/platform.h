@@ -54,3 +54,10 @@
 #else
 #define WELLSTRAT_VECTOR_TYPES 0
 #endif
+
+/// Where such a register multiplies, too.
+#if WELLSTRAT_VECTOR_TYPES && defined(__SSE2__)
+#define WELLSTRAT_VECTOR_PRODUCTS 1
+#else
+#define WELLSTRAT_VECTOR_PRODUCTS 0
+#endif

@@ -128,6 +128,22 @@ WELLSTRAT_HOST_DEVICE inline float floatOfDigits(uint32_t digits) {
 #endif
 }
 
+#if WELLSTRAT_VECTOR_PRODUCTS
+
+/// owenHash of x and y, each with its key, as words 0 and 2. What the others hold does not matter.
+inline Words owenHashXY(uint32_t x, uint32_t y, uint32_t seed) {
+    constexpr WordPairs multipliers{scramblingKey(1, Coordinate::x),
+                                    scramblingKey(1, Coordinate::y)};
+    const auto key = reinterpret_cast<Words>(products(WordPairs{seed, seed}, multipliers));
+    WordPairs digits{x, y};
+    digits += reinterpret_cast<WordPairs>(exchangedHalves(key));
+    digits = products(digits, reinterpret_cast<WordPairs>(key >> 7 | 1u));
+    const auto square = reinterpret_cast<Words>(products(digits, digits));
+    return reinterpret_cast<Words>(digits) ^ (square + square);
+}
+
+#endif
+
 } // namespace detail
 
 /// z, (x, y) and (x, y, z) of a point, scrambled for a pattern with this seed, in [0, 1): those
@@ -136,8 +152,13 @@ WELLSTRAT_HOST_DEVICE inline float scrambledSampleZ(PointDigits point, uint32_t 
     return detail::floatOfDigits(owenHash(point.z, scramblingKey(seed, Coordinate::z)));
 }
 WELLSTRAT_HOST_DEVICE inline Float2 scrambledSampleXY(PointDigits point, uint32_t seed) {
+#if WELLSTRAT_VECTOR_PRODUCTS
+    const detail::Words digits = detail::owenHashXY(point.x, point.y, seed);
+    return {detail::floatOfDigits(digits[0]), detail::floatOfDigits(digits[2])};
+#else
     return {detail::floatOfDigits(owenHash(point.x, scramblingKey(seed, Coordinate::x))),
             detail::floatOfDigits(owenHash(point.y, scramblingKey(seed, Coordinate::y)))};
+#endif
 }
 WELLSTRAT_HOST_DEVICE inline Float3 scrambledSampleXYZ(PointDigits point, uint32_t seed) {
     const Float2 xy = scrambledSampleXY(point, seed);

@@ -48,7 +48,8 @@ WELLSTRAT_HOST_DEVICE inline uint32_t slotPlaces(const SlotOrders& orders, uint3
     for (unsigned k = 0; k < SlotOrders::kNibbles; ++k) {
         both ^= orders.by4[slot][k][(index >> 4 * k) & 15u];
     }
-    return (seed & kSlotSwapBit) != 0 ? (both >> 16) | (both << 16) : both;
+    const uint32_t turn = seed / kSlotSwapBit * 16; // no branch, which would be a coin's toss
+    return (both >> turn) | (both << (32 - turn) % 32);
 }
 
 /// Which block follows on which, and by what its indices are shifted: nothing in the first one. By
@@ -139,16 +140,16 @@ inline uint32_t jointSequenceBits(uint32_t patternid, uint32_t sampleid, unsigne
                                   unsigned split, Coordinate coordinate) {
     return jointSequenceBits(detail::kSlotOrders, patternid, sampleid, slot, split, coordinate);
 }
-inline float jointSequenceSample1D(uint32_t patternid, uint32_t sampleid, unsigned slot,
-                                   unsigned split) {
+WELLSTRAT_NOINLINE inline float jointSequenceSample1D(uint32_t patternid, uint32_t sampleid,
+                                                      unsigned slot, unsigned split) {
     return jointSequenceSample1D(detail::kSlotOrders, patternid, sampleid, slot, split);
 }
-inline Float2 jointSequenceSample2D(uint32_t patternid, uint32_t sampleid, unsigned slot,
-                                    unsigned split) {
+WELLSTRAT_NOINLINE inline Float2 jointSequenceSample2D(uint32_t patternid, uint32_t sampleid,
+                                                       unsigned slot, unsigned split) {
     return jointSequenceSample2D(detail::kSlotOrders, patternid, sampleid, slot, split);
 }
-inline Float3 jointSequenceSample3D(uint32_t patternid, uint32_t sampleid, unsigned slot,
-                                    unsigned split) {
+WELLSTRAT_NOINLINE inline Float3 jointSequenceSample3D(uint32_t patternid, uint32_t sampleid,
+                                                       unsigned slot, unsigned split) {
     return jointSequenceSample3D(detail::kSlotOrders, patternid, sampleid, slot, split);
 }
 

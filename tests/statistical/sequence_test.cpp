@@ -137,9 +137,13 @@ protected:
     const std::vector<Node>& nodes_ = flips_.nodes();
     const BitColumns& columns_ = flips_.columns();
 
-    static void expectStandardNormal(const Scores& scores) {
+    /// Patterns that count up are spread more evenly than random ones, and so are some of their
+    /// flips: pairs of one tree's first digits have a mean square of 0.89 over 2^18 patterns. Only
+    /// more than 1, which comes of flips that are biased or tied, is a fault there.
+    void expectStandardNormal(const Scores& scores) const {
         EXPECT_GE(scores.largestP(), kAlpha)
             << "largest of " << scores.count() << ": " << scores.largest();
+        if (GetParam() != Seeds::random && scores.meanSquare() < 1) return;
         EXPECT_GE(scores.meanSquareP(), kAlpha)
             << "mean square of " << scores.count() << ": " << scores.meanSquare();
     }
