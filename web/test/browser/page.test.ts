@@ -166,7 +166,7 @@ describe("the address", () => {
     });
 
     it("is followed from the first rendering on", async () => {
-        const {page} = await open(browser, "#count=16", {}, () => {
+        const {page, faults} = await open(browser, "#count=16", {}, () => {
             const observer = new MutationObserver(() => {
                 if (!document.querySelector("[role=tab]")) return;
                 observer.disconnect();
@@ -175,6 +175,7 @@ describe("the address", () => {
             observer.observe(document, {childList: true, subtree: true});
         });
         expect(await page.getByLabel("Domain A").inputValue()).toBe("3");
+        expect(faults).toEqual([]);
         await page.context().close();
     });
 
