@@ -173,6 +173,10 @@ private:
     PointVectors point_;
 };
 
+/// How many vectors are a block. In WebAssembly many, of which compilers unroll no loop
+/// (docs/decisions/0030-webassembly.md).
+constexpr std::size_t kBlueBlockVectors = HWY_TARGET == HWY_WASM ? 32 : kBlockVectors;
+
 // rankDigits of a block of samples, by the places of their pixels. Those that a Sample does not
 // need are left out by compilers.
 
@@ -233,18 +237,18 @@ private:
     static constexpr bool kHasXY = !std::is_same_v<Sample, float>;
     static constexpr bool kHasZ = !std::is_same_v<Sample, Float2>;
 
-    HWY_ALIGN uint64_t xy_[kHasXY ? kBlockVectors * kLanes : 1];
-    HWY_ALIGN uint32_t z_[kHasZ ? kBlockVectors * kLanes : 1];
+    HWY_ALIGN uint64_t xy_[kHasXY ? kBlueBlockVectors * kLanes : 1];
+    HWY_ALIGN uint32_t z_[kHasZ ? kBlueBlockVectors * kLanes : 1];
 };
 
-/// Draws `vectors` vectors of samples, kBlockVectors at most. First all places are found and then
-/// all ranks, so that no load waits for the arithmetic of its own sample.
+/// Draws `vectors` vectors of samples, kBlueBlockVectors at most. First all places are found and
+/// then all ranks, so that no load waits for the arithmetic of its own sample.
 template <typename Domain, typename Sample>
 HWY_INLINE void drawBlock(std::size_t vectors, const SampleCtx* contexts, Domain& domain,
                           KeptPoint<Domain>& point, Sample* xis) {
     using Digits = std::conditional_t<(kLanes < 8), LoadedDigits<Sample>, PermutedDigits<Sample>>;
-    HWY_ALIGN uint32_t seeds[kBlockVectors * kLanes];
-    HWY_ALIGN uint32_t places[kBlockVectors * kLanes];
+    HWY_ALIGN uint32_t seeds[kBlueBlockVectors * kLanes];
+    HWY_ALIGN uint32_t places[kBlueBlockVectors * kLanes];
     const std::size_t n = vectors * kLanes;
     V patternid, sampleid;
     for (std::size_t i = 0; i < n; i += kLanes) {
@@ -264,7 +268,7 @@ HWY_INLINE void drawBlock(std::size_t vectors, const SampleCtx* contexts, Domain
 template <typename Domain, typename Sample>
 HWY_INLINE void drawDomain(std::size_t n, const SampleCtx* contexts, Domain domain, Sample* xis) {
     KeptPoint<Domain> point(domain);
-    forBlocks(
+    forBlocks<kBlueBlockVectors>(
         n, contexts, xis,
         [&](std::size_t vectors, const SampleCtx* some, Sample* results)
             __attribute__((always_inline)) { drawBlock(vectors, some, domain, point, results); });

@@ -219,7 +219,7 @@ HWY_INLINE void drawBlock(Count vectors, const uint32_t* words, const SampleCtx*
 template <typename Order, typename Sample>
 HWY_INLINE void drawInOrder(std::size_t n, const uint32_t* words, const SampleCtx* contexts,
                             Order order, Sample* xis) {
-    forBlocks(
+    forBlocks<kBlockVectors>(
         n, contexts, xis,
         [&](std::size_t vectors, const SampleCtx* some, Sample* results)
             __attribute__((always_inline)) { drawBlock(vectors, words, some, order, results); });

@@ -114,15 +114,15 @@ HWY_INLINE void forVectors(std::size_t n, Context* contexts, Result* results, Fu
 /// How many vectors are a block.
 constexpr std::size_t kBlockVectors = 8;
 
-/// The same by blocks: calls function(vectors, contexts, results) for up to kBlockVectors whole
-/// vectors at a time. At one place, since all of a function is inlined.
-template <typename Result, typename Function>
+/// The same by blocks: calls function(vectors, contexts, results) for up to kVectors whole vectors
+/// at a time. At one place, since all of a function is inlined.
+template <std::size_t kVectors, typename Result, typename Function>
 HWY_INLINE void forBlocks(std::size_t n, const SampleCtx* contexts, Result* results,
                           Function function) {
     SampleCtx someContexts[kLanes];
     Result someResults[kLanes];
     for (std::size_t i = 0; i < n;) {
-        const std::size_t whole = std::min((n - i) / kLanes, kBlockVectors);
+        const std::size_t whole = std::min((n - i) / kLanes, kVectors);
         const bool isRest = whole == 0;
         if (isRest) {
             std::fill(std::copy(contexts + i, contexts + n, someContexts), someContexts + kLanes,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 
-import {useCallback, useEffect, useState} from "preact/hooks";
+import {useCallback, useEffect, useLayoutEffect, useState} from "preact/hooks";
 import type {Wellstrat} from "wellstrat";
 import {readAddress, writeAddress, type View} from "./address";
 import {Choice} from "./controls";
@@ -20,8 +20,10 @@ const tabs: readonly (readonly [View["view"], string, typeof PointsView])[] = [
 /** The view of the page's address, kept in it; and what was wrong with that. */
 function useAddress() {
     const [state, setState] = useState(() => readAddress(location.hash));
-    useEffect(() => {
-        const follow = () => setState(readAddress(location.hash));
+    // From the first rendering on, not a frame later, and by what the event says: until it arrives, the
+    // view before may have been written over the address.
+    useLayoutEffect(() => {
+        const follow = ({newURL}: HashChangeEvent) => setState(readAddress(new URL(newURL).hash));
         addEventListener("hashchange", follow);
         return () => removeEventListener("hashchange", follow);
     }, []);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 import type {JSX} from "preact";
-import {useEffect, useLayoutEffect, useRef} from "preact/hooks";
+import {useLayoutEffect, useRef} from "preact/hooks";
 import {palette, useTheme, type Palette} from "./theme";
 
 /** Draws on an area of width times height CSS pixels. */
@@ -46,7 +46,8 @@ export function Canvas({label, draw, ...attributes}: Props) {
     }
 
     useLayoutEffect(schedule);
-    useEffect(() => {
+    // Not after the next frame: a picture that is taken away before it must not be drawn in it.
+    useLayoutEffect(() => {
         const observer = new ResizeObserver(schedule);
         observer.observe(element.current!);
         return () => {

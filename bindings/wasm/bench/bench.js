@@ -12,13 +12,16 @@ import sobol from "sobol";
 import { load } from "wellstrat";
 
 const points = 4096;
-const rounds = 50; // in which caches are warm
+const rounds = 50;
+const warming = 5; // rounds that are not measured
 const repetitions = 41;
 
 const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
-/** The nanoseconds of one of the samples that draw() draws. */
+/** The nanoseconds of one of the samples that draw() draws. The first calls, after another program ran,
+ * only warm caches up; the other program does so itself. */
 function time(draw) {
+  for (let i = 0; i < warming; ++i) draw();
   const start = performance.now();
   for (let i = 0; i < rounds; ++i) draw();
   return ((performance.now() - start) * 1e6) / (rounds * points);

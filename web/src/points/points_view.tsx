@@ -9,6 +9,7 @@ import {Canvas} from "../canvas";
 import {Choice, CountSlider, NumberField} from "../controls";
 import {colorOf} from "../theme";
 import {drawCube} from "./cube";
+import {axes, groupsOf, pointsOf, type Points} from "./points";
 import type {Groups} from "./scatter";
 import {Readout} from "./readout";
 import {ScatterPanel} from "./scatter_panel";
@@ -20,27 +21,6 @@ export interface ViewProps {
     library: Wellstrat;
     view: View;
     change(part: Partial<View>): void;
-}
-
-const axes = ["x", "y", "z"] as const;
-type Points = Record<(typeof axes)[number], Float32Array>;
-
-function pointsOf(library: Wellstrat, view: View, pattern: number): Points {
-    const {count, first, generator} = view;
-    const all = library.samples(pattern, count, {first, dims: 3, generator});
-    const column = (k: number) => Float32Array.from({length: count}, (_, i) => all[3 * i + k]!);
-    return {x: column(0), y: column(1), z: column(2)};
-}
-
-/** Groups by the first binary digits of a coordinate, or of the sample's place in the sequence. */
-function groupsOf({color, digits, count}: View, points: Points): Groups {
-    if (color === "one") return {of: new Uint8Array(count), count: 1};
-    const groups = 2 ** digits;
-    const places = 2 ** strataDigits(count);
-    const of = Uint8Array.from({length: count}, (_, i) =>
-        Math.floor(groups * (color === "order" ? i / places : points[color][i]!)),
-    );
-    return {of, count: groups};
 }
 
 function ColorKey({groups, digits, name}: {groups: Groups; digits: number; name: string}) {

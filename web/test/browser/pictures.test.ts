@@ -85,11 +85,16 @@ describe("without", () => {
 describe("a device that is lost", () => {
     it("of WebGPU gives way to WebGL2", async () => {
         const {page} = await open(browser, "#view=pictures&samples=64&by=webgpu", {}, () => {
+            let device: GPUDevice;
             const request = GPUAdapter.prototype.requestDevice;
             GPUAdapter.prototype.requestDevice = async function (...rest) {
-                const device = await request.apply(this, rest);
-                setTimeout(() => device.destroy(), 500);
-                return device;
+                return (device = await request.apply(this, rest));
+            };
+            let renderings = 0;
+            const map = GPUBuffer.prototype.mapAsync;
+            GPUBuffer.prototype.mapAsync = function (...rest) {
+                if (++renderings === 3) device.destroy();
+                return map.apply(this, rest);
             };
         });
         await page.getByText("WebGPU lost its device. WebGL2 does it.").waitFor();

@@ -92,19 +92,12 @@ describe("where a device fails", () => {
 
     it("that of WebGL2 gives way to WebAssembly", async () => {
         const {page} = await open(browser, "#view=pictures&samples=64&by=webgl2", {}, () => {
-            HTMLCanvasElement.prototype.getContext = new Proxy(
-                HTMLCanvasElement.prototype.getContext,
-                {
-                    apply(get, canvas, options) {
-                        const context = Reflect.apply(get, canvas, options);
-                        if (context instanceof WebGL2RenderingContext) {
-                            const loser = context.getExtension("WEBGL_lose_context");
-                            setTimeout(() => loser?.loseContext(), 500);
-                        }
-                        return context;
-                    },
-                },
-            );
+            let renderings = 0;
+            const {readPixels} = WebGL2RenderingContext.prototype;
+            WebGL2RenderingContext.prototype.readPixels = function (...rest: unknown[]) {
+                if (++renderings === 3) this.getExtension("WEBGL_lose_context")!.loseContext();
+                Reflect.apply(readPixels, this, rest);
+            };
         });
         await page.getByText("WebGL2 lost its device. WebAssembly does it.").waitFor();
         await done(page, "WebAssembly", 64);

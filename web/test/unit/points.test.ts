@@ -5,6 +5,7 @@ import type {Wellstrat} from "wellstrat";
 import {initialView} from "../../src/address";
 import {domainPoints} from "../../src/domains/domains";
 import {loadLibrary} from "../../src/library";
+import {groupsOf, pointsOf} from "../../src/points/points";
 import {radialMean, spectrumOf, spectrumReach} from "../../src/points/spectrum";
 import {countInStrata, filledStrata, fullestStratum, strataShape} from "../../src/points/strata";
 
@@ -17,6 +18,31 @@ function columns(generator: "pmj" | "random", count: number, pattern = 7) {
     const xy = library.samples(pattern, count, {generator});
     return [0, 1].map(k => xy.filter((_, i) => i % 2 === k)) as [Float32Array, Float32Array];
 }
+
+describe("points", () => {
+    it("are the samples of the generator, from the first one on", () => {
+        for (const generator of ["pmj", "long", "blue", "random"] as const) {
+            const view = {...initialView, generator, first: 100, count: 50};
+            const {x, y, z} = pointsOf(library, view, 9);
+            const contexts = Uint32Array.from({length: 100}, (_, i) =>
+                i % 2 === 0 ? 9 : 100 + (i >> 1),
+            );
+            const wanted = library.draw(contexts, {generator, dims: 3});
+            expect([...x].flatMap((value, i) => [value, y[i]!, z[i]!])).toEqual([...wanted]);
+        }
+    });
+
+    it("are grouped by the first digits of a coordinate, or of their places", () => {
+        const view = {...initialView, count: 6, digits: 1};
+        const points = {
+            ...pointsOf(library, view, 7),
+            x: Float32Array.of(0, 0.4, 0.5, 0.9, 0, 0.99),
+        };
+        expect([...groupsOf({...view, color: "x"}, points).of]).toEqual([0, 0, 1, 1, 0, 1]);
+        expect([...groupsOf({...view, color: "order"}, points).of]).toEqual([0, 0, 0, 0, 1, 1]);
+        expect(groupsOf(view, points).count).toBe(1);
+    });
+});
 
 describe("strata", () => {
     it("are as many as samples, or the next power of two", () => {
