@@ -51,7 +51,7 @@ TEST(RanksOfTheLibrary, LeaveLittleOfTheError) {
     for (unsigned k = 0; k <= kRunDigits; ++k) {
         EXPECT_LE(meanRatio(rows, "padded", ofXY, k), 0.41) << k;
         EXPECT_LE(meanRatio(rows, "padded", ofX, k), 0.31) << k;
-        EXPECT_LE(meanRatio(rows, "padded", ofZ, k), 0.35) << k;
+        EXPECT_LE(meanRatio(rows, "padded", ofZ, k), 0.32) << k;
         EXPECT_LE(meanRatio(rows, "slot", ofXY, k), 0.45) << k;
         EXPECT_LE(meanRatio(rows, "slot", ofX, k), 0.38) << k;
         EXPECT_LE(meanRatio(rows, "slot", ofZ, k), 0.40) << k;

@@ -113,10 +113,10 @@ const std::vector<Model>& modelsOfOne() {
         {"box", 0.5, {{1, kBox, kOne}}},
         {"smooth of x", 0.5, {{1, kSmoothX, kOne}}},
         {"step of x", 0.5, {{1, kStepX, kOne}}},
-        {"smooth of z", 0.25, {{1, kSmoothZ, kOne}}},
-        {"step of z", 0.25, {{1, kStepZ, kOne}}},
-        {"edge of x, z", 0.25, {{1, kEdgeXZ, kOne}}},
-        {"smooth of xyz", 0.25, {{1, kSmoothXYZ, kOne}}},
+        {"smooth of z", 0.5, {{1, kSmoothZ, kOne}}},
+        {"step of z", 0.5, {{1, kStepZ, kOne}}},
+        {"edge of x, z", 0.5, {{1, kEdgeXZ, kOne}}},
+        {"smooth of xyz", 0.5, {{1, kSmoothXYZ, kOne}}},
     };
     return models;
 }
