@@ -1,44 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Spectra of kinds of functions, by levels: what models are made of.
+// More spectra of kinds of functions, of models of pairs.
 
 #pragma once
 
 #include "bank_search/level_function.h"
+#include "bank_search/level_spectra.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace wellstrat::bank {
 
-inline double powerOfTwo(int exponent) { return std::ldexp(1.0, exponent); }
-inline int toInt(unsigned k) { return static_cast<int>(k); }
+using levels::box;
+using levels::edge;
+using levels::powerOfTwo;
+using levels::smooth;
+using levels::smooth1D;
+using levels::step1D;
+using levels::toInt;
 
 // All have a mean square of 1 beside what varies, or of 0.1 where only certain levels do.
 
 inline constexpr double kBandMean = 0.1;
 
-inline double smooth1D(unsigned k) { return powerOfTwo(-2 * toInt(k)); }
-inline double step1D(unsigned k) { return powerOfTwo(-toInt(k)); }
-
 /// Detail of about 2^p periods.
 inline double band1D(unsigned k, unsigned p) {
     return powerOfTwo(-2 * std::abs(toInt(k) - toInt(p)));
 }
-
-/// Of x and y; differentiable: 4^-(k+l), halved where both axes take part.
-inline double smooth(unsigned k, unsigned l) {
-    return powerOfTwo(-2 * toInt(k + l) - (k > 0 && l > 0 ? 1 : 0));
-}
-
-/// An edge at no particular angle.
-inline double edge(unsigned k, unsigned l) {
-    return powerOfTwo(toInt(std::min(k, l)) - 2 * toInt(std::max(k, l)));
-}
-
-/// A rectangle.
-inline double box(unsigned k, unsigned l) { return powerOfTwo(-toInt(k + l)); }
 
 /// An edge along an axis.
 inline double step(unsigned k, unsigned l) { return k > 0 && l > 0 ? 0 : box(k, l); }

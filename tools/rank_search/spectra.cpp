@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rank_search/spectra.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace wellstrat::ranks {
 namespace {
-
-double powerOfTwo(int exponent) { return std::ldexp(1.0, exponent); }
-int toInt(unsigned k) { return static_cast<int>(k); }
 
 /// Of differences of level k.
 double levelProduct(unsigned k, unsigned digits) {
@@ -18,21 +13,6 @@ double levelProduct(unsigned k, unsigned digits) {
 }
 
 } // namespace
-
-/// 4^-(k+l), halved where both axes take part.
-double smooth(unsigned k, unsigned l) {
-    if (k == 0 && l == 0) return 1;
-    return powerOfTwo(-2 * toInt(k + l) - (k > 0 && l > 0 ? 1 : 0));
-}
-
-double edge(unsigned k, unsigned l) {
-    return powerOfTwo(toInt(std::min(k, l)) - 2 * toInt(std::max(k, l)));
-}
-
-double box(unsigned k, unsigned l) { return powerOfTwo(-toInt(k + l)); }
-
-double smooth1D(unsigned k) { return powerOfTwo(-2 * toInt(k)); }
-double step1D(unsigned k) { return powerOfTwo(-toInt(k)); }
 
 std::vector<SpectrumTerm> edgeTerms() {
     constexpr unsigned kTerms = 5;

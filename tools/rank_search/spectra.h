@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The model functions of the search, by their spectra: what share of their variance is in the
-// differences between the halves of dyadic intervals of length 2^(1-k), for each level k. Level 0
-// is the square of the mean, which is 1 for all of them.
+// The model functions of the search, by their spectra, and the products of their values at two
+// points.
 
 #pragma once
+
+#include "bank_search/level_spectra.h"
 
 #include <functional>
 #include <vector>
@@ -17,12 +18,11 @@ constexpr unsigned kLevels = 12;
 using Spectrum1D = std::function<double(unsigned k)>;
 using Spectrum2D = std::function<double(unsigned k, unsigned l)>; ///< two coordinates
 
-double smooth(unsigned k, unsigned l); ///< differentiable
-double edge(unsigned k, unsigned l);   ///< an edge at no particular angle
-double box(unsigned k, unsigned l);    ///< a rectangle
-
-double smooth1D(unsigned k);
-double step1D(unsigned k);
+using levels::box;
+using levels::edge;
+using levels::smooth;
+using levels::smooth1D;
+using levels::step1D;
 
 /// A spectrum of two coordinates as a sum of weight * of(k) * of(l).
 struct SpectrumTerm {
