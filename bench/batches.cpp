@@ -59,7 +59,7 @@ const Suite kSuite([] {
     addBatch("random 2D", sizes, Access::random, tables, kDrawAll2D);
     addBatch("random 3D", sizes, Access::random, tables, kDrawAll3D);
     addBatch("one pattern 2D", {4096}, Access::onePattern, tables, kDrawAll2D);
-    addBatches("new domains", {4096}, derive);
+    addBatches("new domains", {256, 4096}, derive);
     addBatches("new domains, draw 2D", {4096}, deriveThenDraw);
     addBatches("hash to random", {4096}, hashes);
 });
