@@ -15,7 +15,8 @@ export const hasSimd = () => WebAssembly.validate(simdProbe);
 /** The bytes at an address. Those of files are read, which `fetch` of Node.js does not. */
 async function bytesAt(url) {
   if (url.protocol === "file:" && globalThis.process?.versions?.node !== undefined) {
-    const { readFile } = await import("node:fs/promises");
+    const name = "node:fs/promises"; // a variable, or bundlers for browsers look for it and fail
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ name);
     return readFile(url);
   }
   const response = await fetch(url);
