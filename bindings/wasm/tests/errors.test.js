@@ -133,6 +133,9 @@ test("a module of one's own choice: bytes, an address, a file", async () => {
 
 test("modules that are not there or are no modules", async () => {
   await assert.rejects(load({ wasm: new URL("file:///nowhere/wellstrat.wasm") }), /ENOENT/);
+  for (const wasm of ["data:text/html,<p>", import.meta.url]) {
+    await assert.rejects(load({ wasm }), new Error(`there is no WebAssembly module at ${wasm}`));
+  }
   await assert.rejects(load({ wasm: new Uint8Array(5) }), WebAssembly.CompileError);
   await assert.rejects(load({ wasm: 5 }), new TypeError(
     "wasm must be a URL, a string or the bytes of a module, not 5"));
