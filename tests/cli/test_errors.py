@@ -70,6 +70,7 @@ BAD_INPUT = (
     (("tables", "--export", "missing/tables.npy"), "missing/tables.npy"),
     (("tables", "--export", "tables.npy", "--type", "double"), "float32"),
     (("tables", "--export", "tables.bin", "--layout", "y"), "words, xy"),
+    (("tables", "--export", "tables.bin", "--layout", ""), "words, xy"),
     (("tables", "--export", "tables.h", "--layout", "xy"), ".npy, .bin"),
     (("tables", "--export", "a.bin", "--layout", "xy", "--type", "uint32"), "--type"),
     (("verify", "--tables", "5..2"), "383"),

@@ -19,6 +19,7 @@ class GpuCheck(TreeTest):
         self.program("programs/nvcc", "echo nvcc 1.0")
         self.program("programs/cmake", 'echo "cmake $*"')
         self.program("scripts/bench", "echo counted")
+        self.program("build/gpu/found", "")
         self.program("build/gpu/gpu_check", 'echo "asked for $2"')
         self.program("build/gpu/area_light", 'echo P6 > "$1"')
         path = os.environ["PATH"]
@@ -50,6 +51,23 @@ class GpuCheck(TreeTest):
 
     def test_a_picture_that_differs(self):
         self.assert_difference_is_told("area_light")
+
+    def test_a_difference_counts_more_than_what_cannot_be_tried(self):
+        self.program("build/gpu/area_light", "echo no memory; exit 2")
+        self.assertEqual(self.run_script("gpu-check")[0], 2)
+        self.assert_difference_is_told("gpu_check")
+
+    def test_no_gpu(self):
+        self.program("build/gpu/found", "exit 1")
+        self.program("programs/cmake", "touch built")
+        self.assertEqual(self.run_script("gpu-check"), (
+            2, "gpu-check: there is no GPU that CUDA can use, so nothing is checked\n"))
+        self.assertFalse((self.tree / "built").exists())
+
+    def test_a_compiler_that_does_not_compile(self):
+        self.program("programs/nvcc", "echo unsupported compiler; exit 1")
+        self.assertEqual(self.run_script("gpu-check"), (
+            2, "unsupported compiler\ngpu-check: nvcc does not compile\n"))
 
     def test_the_sanitizer_is_heard(self):
         for said, expected in (("ERROR SUMMARY: 0 errors", 0), ("ERROR SUMMARY: 2 errors", 1),

@@ -14,7 +14,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <new>
 #include <vector>
 
 namespace wellstrat {
@@ -113,6 +117,56 @@ TEST(Shaders, DrawPartsOfOnePoint) {
                     wellstratBlueSample2D(words(), at, order),
                     wellstratBlueSample3D(words(), at, order));
     }
+}
+
+/// What draws of some kind look up, before memory that cannot be read.
+class GuardedBlock {
+public:
+    explicit GuardedBlock(DeviceDraws draws) {
+        const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+        const std::size_t bytes = deviceTableBytes(draws), room = (bytes + page - 1) / page * page;
+        memory_ =
+            static_cast<char*>(mmap(nullptr, room + sizeof(DeviceTables), PROT_READ | PROT_WRITE,
+                                    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+        if (memory_ == MAP_FAILED) throw std::bad_alloc();
+        size_ = room + sizeof(DeviceTables);
+        begin_ = memory_ + (room - bytes);
+        copyDeviceTables(begin_, draws);
+        mprotect(memory_ + room, sizeof(DeviceTables), PROT_NONE);
+    }
+    ~GuardedBlock() { munmap(memory_, size_); }
+    GuardedBlock(const GuardedBlock&) = delete;
+    GuardedBlock& operator=(const GuardedBlock&) = delete;
+
+    const uint32_t* words() const { return reinterpret_cast<const uint32_t*>(begin_); }
+
+private:
+    char *memory_, *begin_;
+    std::size_t size_;
+};
+
+/// Whether draws from the blocks that are made for them are those from all tables.
+bool guardedDrawsAgree() {
+    const GuardedBlock computed(DeviceDraws::computed), draws2D(DeviceDraws::draws2D);
+    bool agree = true;
+    for (uint32_t i = 0; i < kAsked; ++i) {
+        const Asked a = asked(i);
+        const uvec2 at = a.context(), order = a.order();
+        agree &= triple(wellstratLongSample3D(computed.words(), at, order)) ==
+                 triple(wellstratLongSample3D(words(), at, order));
+        agree &= triple(wellstratBlueSample3D(computed.words(), at, order)) ==
+                 triple(wellstratBlueSample3D(words(), at, order));
+        agree &=
+            pair(wellstratSample2D(draws2D.words(), at)) == pair(wellstratSample2D(words(), at));
+        agree &= pair(wellstratJointSample2D(draws2D.words(), at, order)) ==
+                 pair(wellstratJointSample2D(words(), at, order));
+    }
+    return agree;
+}
+
+TEST(Shaders, ReadNothingBehindTheBlockOfTheirDraws) {
+    // In a process of its own, which ends at a wrong read.
+    EXPECT_EXIT(std::_Exit(guardedDrawsAgree() ? 0 : 1), testing::ExitedWithCode(0), "");
 }
 
 void expectContext(uvec2 got, SampleCtx expected) {

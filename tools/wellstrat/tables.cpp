@@ -164,12 +164,14 @@ void addTables(CLI::App& app, int& /*exitCode*/) {
         ->required();
     auto* const typeOption =
         command->add_option("--type", *type, "uint32 or float32 [uint32]")->type_name("NAME");
-    command->add_option("--layout", *layout, "What kernels read: words, xy, z, device or computed")
-        ->type_name("NAME")
-        ->excludes(typeOption);
+    const auto* const layoutOption =
+        command
+            ->add_option("--layout", *layout, "What kernels read: words, xy, z, device or computed")
+            ->type_name("NAME")
+            ->excludes(typeOption);
     command->footer(kExamples);
-    command->callback([path, type, layout] {
-        if (layout->empty()) {
+    command->callback([path, type, layout, layoutOption] {
+        if (layoutOption->empty()) {
             exportTables(*path, *type);
         } else {
             exportWords(*path, *layout);

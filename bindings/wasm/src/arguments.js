@@ -15,6 +15,7 @@ export const generators = ["pmj", "long", "blue", "random"];
 /** A value as a sentence shows it. */
 export function shown(value) {
   if (typeof value === "string") return JSON.stringify(value);
+  if (typeof value === "bigint") return `${value}n`;
   if (value === null || !["object", "function"].includes(typeof value)) return String(value);
   return value.constructor?.name ?? typeof value;
 }

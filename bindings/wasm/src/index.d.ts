@@ -13,7 +13,7 @@ export interface LoadOptions {
   simd?: boolean;
   /** What to load instead of the package's own file: its bytes, or where it is. With bytes, nothing
    * is fetched. */
-  wasm?: BufferSource | URL | string;
+  wasm?: ArrayBuffer | ArrayBufferView | URL | string;
 }
 
 /** Loads the module and starts it. Each call makes one of its own, with its own memory.

@@ -15,12 +15,22 @@ export const hasSimd = () => WebAssembly.validate(simdProbe);
 /** The bytes at an address. Those of files are read, which `fetch` of Node.js does not. */
 async function bytesAt(url) {
   if (url.protocol === "file:" && globalThis.process?.versions?.node !== undefined) {
-    const { readFile } = await import("node:fs/promises");
+    const name = "node:fs/promises"; // a variable, or bundlers for browsers look for it and fail
+    const { readFile } = await import(/* webpackIgnore: true */ /* @vite-ignore */ name);
     return readFile(url);
   }
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url} cannot be loaded: ${response.status}`);
   return response.arrayBuffer();
+}
+
+/** The module at an address. Servers give pages of their own for what they do not have. */
+async function moduleAt(url) {
+  const bytes = new Uint8Array(await bytesAt(url));
+  if (String.fromCharCode(...bytes.subarray(0, 4)) !== "\0asm") {
+    throw new Error(`there is no WebAssembly module at ${url}`);
+  }
+  return bytes;
 }
 
 /** The exports of the started module. `wasm` is what to start instead of the package's own. */
@@ -32,7 +42,7 @@ export async function start(simd, wasm) {
   const source = wasm ?? own;
   let bytes = source;
   if (typeof source === "string" || isA(URL, source)) {
-    bytes = await bytesAt(new URL(source, globalThis.document?.baseURI ?? import.meta.url));
+    bytes = await moduleAt(new URL(source, globalThis.document?.baseURI ?? import.meta.url));
   } else if (!ArrayBuffer.isView(source) && !isA(ArrayBuffer, source)) {
     throw new TypeError(`wasm must be a URL, a string or the bytes of a module, not ${shown(source)}`);
   }

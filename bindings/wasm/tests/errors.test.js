@@ -18,7 +18,7 @@ for (const [call, type, message] of [
   [() => library.samples(-1, 4), RangeError, "pattern must be from 0 to 4294967295, not -1"],
   [() => library.samples(7, NaN), TypeError, "count must be an integer, not NaN"],
   [() => library.samples(7), TypeError, "count must be an integer, not undefined"],
-  [() => library.samples(7, 4n), TypeError, "count must be an integer, not 4"],
+  [() => library.samples(7, 4n), TypeError, "count must be an integer, not 4n"],
   [() => library.samples(7, 2 ** 33), RangeError,
     "count must be from 0 to 4294967296, not 8589934592"],
   [() => library.samples(7, 2, { first: 2 ** 32 - 1 }), RangeError,
@@ -133,6 +133,9 @@ test("a module of one's own choice: bytes, an address, a file", async () => {
 
 test("modules that are not there or are no modules", async () => {
   await assert.rejects(load({ wasm: new URL("file:///nowhere/wellstrat.wasm") }), /ENOENT/);
+  for (const wasm of ["data:text/html,<p>", import.meta.url]) {
+    await assert.rejects(load({ wasm }), new Error(`there is no WebAssembly module at ${wasm}`));
+  }
   await assert.rejects(load({ wasm: new Uint8Array(5) }), WebAssembly.CompileError);
   await assert.rejects(load({ wasm: 5 }), new TypeError(
     "wasm must be a URL, a string or the bytes of a module, not 5"));

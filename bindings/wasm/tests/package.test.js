@@ -43,6 +43,12 @@ test("modules need nothing of the page but one function", async () => {
   }
 });
 
+test("bundlers for browsers find no module of Node.js in it", () => {
+  for (const name of scripts) {
+    assert.doesNotMatch(String(contentOf("src", name)), /(import\s*\(?|from)\s*["']node:/, name);
+  }
+});
+
 test("tables take little more than they say", async () => {
   const { instance } = await WebAssembly.instantiate(contentOf("wellstrat-simd.wasm"), {
     env: { emscripten_notify_memory_growth() { assert.fail("the module grew its memory"); } } });

@@ -404,23 +404,27 @@ uvec2 wellstratTableXY(uint word) {
     return uvec2(word * 0xffff0f11u, wellstratUpperProduct(word, 0xffff0f11u));
 }
 
-/// The point at a place, below 256, of a group of a block's table.
-uvec3 wellstratTableBits(WELLSTRAT_PARAMETER uint seed, uint block, uint group, uint place) {
+/// The point at a place, below 256, of a group of a block's table. Its z is read if it is
+/// asked for only: DeviceTables for 2D draws have none.
+uvec3 wellstratTableBits(WELLSTRAT_PARAMETER uint seed, uint block, uint group, uint place,
+                         bool withZ) {
     uint table = (((seed + block * 0x05555555u) >> 9) * 384u) >> 23;
     uint offset = (group * 384u + table) * 256u + place;
     uvec2 xy = wellstratTableXY(WELLSTRAT_WORD(WELLSTRAT_XY + offset));
+    uint z = 0u;
+    if (withZ) z = WELLSTRAT_WORD(WELLSTRAT_Z + offset) ^ (seed * 0x3c6ef373u);
     return uvec3(xy.x ^ (seed * 0x84caa73bu),
                  xy.y ^ (wellstratUpperProduct(seed, 0x84caa73bu) + seed * 0xbb67ae85u),
-                 WELLSTRAT_WORD(WELLSTRAT_Z + offset) ^ (seed * 0x3c6ef373u));
+                 z);
 }
 
 /// A sample without a generator: from the tables, and from 196608 on unstratified.
-uvec3 wellstratSampleBits(WELLSTRAT_PARAMETER uvec2 context) {
+uvec3 wellstratSampleBits(WELLSTRAT_PARAMETER uvec2 context, bool withZ) {
     uint sampleid = context.y;
     if (sampleid >= 196608u) return wellstratRandomBits(context);
     uint seed = wellstratMixBits(context.x + WELLSTRAT_GOLDEN);
     return wellstratTableBits(WELLSTRAT_ARGUMENT seed, sampleid >> 12, (sampleid >> 8) & 15u,
-                              wellstratShuffledPlace(seed, sampleid));
+                              wellstratShuffledPlace(seed, sampleid), withZ);
 }
 
 // Slots of the tables (joint_lookup.h).
@@ -443,8 +447,8 @@ uint wellstratJointIndex(WELLSTRAT_PARAMETER uint seed, uint sampleid, uvec2 ord
 }
 
 /// A sample of JointProgressive in a domain of this order.
-uvec3 wellstratJointBits(WELLSTRAT_PARAMETER uvec2 context, uvec2 order) {
-    if (!wellstratHasSlot(order)) return wellstratSampleBits(WELLSTRAT_ARGUMENT context);
+uvec3 wellstratJointBits(WELLSTRAT_PARAMETER uvec2 context, uvec2 order, bool withZ) {
+    if (!wellstratHasSlot(order)) return wellstratSampleBits(WELLSTRAT_ARGUMENT context, withZ);
     uint sampleid = context.y;
     if (sampleid >= 196608u - 196608u % order.y) return wellstratRandomBits(context);
     uint seed = wellstratMixBits(context.x + WELLSTRAT_GOLDEN);
@@ -456,7 +460,8 @@ uvec3 wellstratJointBits(WELLSTRAT_PARAMETER uvec2 context, uvec2 order) {
         block = index >> 12;
         place = wellstratWithReversedByte(index & 4095u);
     }
-    return wellstratTableBits(WELLSTRAT_ARGUMENT seed, block, place >> 8, (place ^ seed) & 255u);
+    return wellstratTableBits(WELLSTRAT_ARGUMENT seed, block, place >> 8, (place ^ seed) & 255u,
+                              withZ);
 }
 
 #endif // WELLSTRAT_WORD
@@ -488,25 +493,25 @@ vec3 wellstratSequenceSample3D(uvec2 context) {
 #ifdef WELLSTRAT_WORD
 
 float wellstratSample1D(WELLSTRAT_PARAMETER uvec2 context) {
-    return wellstratToUnitFloat(wellstratSampleBits(WELLSTRAT_ARGUMENT context).z);
+    return wellstratToUnitFloat(wellstratSampleBits(WELLSTRAT_ARGUMENT context, true).z);
 }
 vec2 wellstratSample2D(WELLSTRAT_PARAMETER uvec2 context) {
-    uvec3 bits = wellstratSampleBits(WELLSTRAT_ARGUMENT context);
+    uvec3 bits = wellstratSampleBits(WELLSTRAT_ARGUMENT context, false);
     return wellstratToUnitFloats(bits.x, bits.y);
 }
 vec3 wellstratSample3D(WELLSTRAT_PARAMETER uvec2 context) {
-    return wellstratToUnitPoint(wellstratSampleBits(WELLSTRAT_ARGUMENT context));
+    return wellstratToUnitPoint(wellstratSampleBits(WELLSTRAT_ARGUMENT context, true));
 }
 
 float wellstratJointSample1D(WELLSTRAT_PARAMETER uvec2 context, uvec2 order) {
-    return wellstratToUnitFloat(wellstratJointBits(WELLSTRAT_ARGUMENT context, order).z);
+    return wellstratToUnitFloat(wellstratJointBits(WELLSTRAT_ARGUMENT context, order, true).z);
 }
 vec2 wellstratJointSample2D(WELLSTRAT_PARAMETER uvec2 context, uvec2 order) {
-    uvec3 bits = wellstratJointBits(WELLSTRAT_ARGUMENT context, order);
+    uvec3 bits = wellstratJointBits(WELLSTRAT_ARGUMENT context, order, false);
     return wellstratToUnitFloats(bits.x, bits.y);
 }
 vec3 wellstratJointSample3D(WELLSTRAT_PARAMETER uvec2 context, uvec2 order) {
-    return wellstratToUnitPoint(wellstratJointBits(WELLSTRAT_ARGUMENT context, order));
+    return wellstratToUnitPoint(wellstratJointBits(WELLSTRAT_ARGUMENT context, order, true));
 }
 
 float wellstratLongSample1D(WELLSTRAT_PARAMETER uvec2 context, uvec2 order) {

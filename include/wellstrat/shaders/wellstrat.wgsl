@@ -341,21 +341,23 @@ fn wellstratTableXY(word: u32) -> vec2u {
     return vec2u(word * 0xffff0f11u, wellstratUpperProduct(word, 0xffff0f11u));
 }
 
-fn wellstratTableBits(seed: u32, block: u32, group: u32, place: u32) -> vec3u {
+fn wellstratTableBits(seed: u32, block: u32, group: u32, place: u32, withZ: bool) -> vec3u {
     let table = (((seed + block * 0x05555555u) >> 9u) * 384u) >> 23u;
     let offset = (group * 384u + table) * 256u + place;
     let xy = wellstratTableXY(wellstratWords[wellstratXY + offset]);
+    var z = 0u;
+    if (withZ) { z = wellstratWords[wellstratZ + offset] ^ (seed * 0x3c6ef373u); }
     return vec3u(xy.x ^ (seed * 0x84caa73bu),
                  xy.y ^ (wellstratUpperProduct(seed, 0x84caa73bu) + seed * 0xbb67ae85u),
-                 wellstratWords[wellstratZ + offset] ^ (seed * 0x3c6ef373u));
+                 z);
 }
 
-fn wellstratSampleBits(context: vec2u) -> vec3u {
+fn wellstratSampleBits(context: vec2u, withZ: bool) -> vec3u {
     let sampleid = context.y;
     if (sampleid >= 196608u) { return wellstratRandomBits(context); }
     let seed = wellstratMixBits(context.x + wellstratGolden);
     return wellstratTableBits(seed, sampleid >> 12u, (sampleid >> 8u) & 15u,
-                              wellstratShuffledPlace(seed, sampleid));
+                              wellstratShuffledPlace(seed, sampleid), withZ);
 }
 
 // Slots of the tables (joint_lookup.h).
@@ -378,8 +380,8 @@ fn wellstratJointIndex(seed: u32, sampleid: u32, order: vec2u) -> u32 {
            wellstratJointBranch(seed, visit, sampleid % split, split);
 }
 
-fn wellstratJointBits(context: vec2u, order: vec2u) -> vec3u {
-    if (!wellstratHasSlot(order)) { return wellstratSampleBits(context); }
+fn wellstratJointBits(context: vec2u, order: vec2u, withZ: bool) -> vec3u {
+    if (!wellstratHasSlot(order)) { return wellstratSampleBits(context, withZ); }
     let sampleid = context.y;
     if (sampleid >= 196608u - 196608u % order.y) { return wellstratRandomBits(context); }
     let seed = wellstratMixBits(context.x + wellstratGolden);
@@ -392,7 +394,7 @@ fn wellstratJointBits(context: vec2u, order: vec2u) -> vec3u {
         block = index >> 12u;
         place = wellstratWithReversedByte(index & 4095u);
     }
-    return wellstratTableBits(seed, block, place >> 8u, (place ^ seed) & 255u);
+    return wellstratTableBits(seed, block, place >> 8u, (place ^ seed) & 255u, withZ);
 }
 
 // Samples in [0, 1): z of a point in 1D, (x, y) in 2D, all three in 3D.
@@ -418,23 +420,23 @@ fn wellstratSequenceSample3D(context: vec2u) -> vec3f {
 }
 
 fn wellstratSample1D(context: vec2u) -> f32 {
-    return wellstratToUnitFloat(wellstratSampleBits(context).z);
+    return wellstratToUnitFloat(wellstratSampleBits(context, true).z);
 }
 fn wellstratSample2D(context: vec2u) -> vec2f {
-    return wellstratToUnitPoint(wellstratSampleBits(context)).xy;
+    return wellstratToUnitPoint(wellstratSampleBits(context, false)).xy;
 }
 fn wellstratSample3D(context: vec2u) -> vec3f {
-    return wellstratToUnitPoint(wellstratSampleBits(context));
+    return wellstratToUnitPoint(wellstratSampleBits(context, true));
 }
 
 fn wellstratJointSample1D(context: vec2u, order: vec2u) -> f32 {
-    return wellstratToUnitFloat(wellstratJointBits(context, order).z);
+    return wellstratToUnitFloat(wellstratJointBits(context, order, true).z);
 }
 fn wellstratJointSample2D(context: vec2u, order: vec2u) -> vec2f {
-    return wellstratToUnitPoint(wellstratJointBits(context, order)).xy;
+    return wellstratToUnitPoint(wellstratJointBits(context, order, false)).xy;
 }
 fn wellstratJointSample3D(context: vec2u, order: vec2u) -> vec3f {
-    return wellstratToUnitPoint(wellstratJointBits(context, order));
+    return wellstratToUnitPoint(wellstratJointBits(context, order, true));
 }
 
 fn wellstratLongSample1D(context: vec2u, order: vec2u) -> f32 {
