@@ -35,9 +35,10 @@
 /// or as an array or a container with data() and size(); one of these that is too small ends the
 /// program with a line that says so, before anything is written. A batch of 0 points is valid.
 ///
-/// Nothing here allocates or throws, but the first RixRNG of a process builds the tables (see
-/// wellstrat::buildTables), and a generator may do as it likes. One object must not be used by two
-/// threads at once if one of them generates; different objects over different arrays may.
+/// Nothing here allocates or throws, but the first camera's RixRNG of a process builds the tables
+/// (see wellstrat::buildTables) unless its generator computes its samples, and a generator may do
+/// as it likes. One object must not be used by two threads at once if one of them generates;
+/// different objects over different arrays may.
 class RixRNG {
     template <class T>
     using Array = wellstrat::ArrayArgument<T>;
@@ -58,13 +59,15 @@ public:
 
     SampleCtx* sampleCtxArray; ///< not owned
     unsigned numPts;
-    const Generator* generator; ///< not owned; null: the tables
-    Order order;                ///< of the domain that the contexts belong to
+    /// Not owned; null: the tables. Who exchanges a LongProgressive or a BlueProgressive for what
+    /// draws from the tables calls wellstrat::buildTables() before.
+    const Generator* generator;
+    Order order; ///< of the domain that the contexts belong to
 
     /// A view of a camera's contexts, that may be filled in before or after.
     RixRNG(Array<SampleCtx> contexts, unsigned numPoints, const Generator* gen = nullptr)
         : RixRNG(contexts.first(numPoints, "RixRNG"), numPoints, gen, Order{}) {
-        wellstrat::tables();
+        if (!isComputed(gen)) wellstrat::tables();
     }
 
     /// A view of contexts that may be filled in before or after, for the parent's generator. They
@@ -318,6 +321,11 @@ public:
 private:
     RixRNG(SampleCtx* contexts, unsigned numPoints, const Generator* gen, Order ownOrder)
         : sampleCtxArray(contexts), numPts(numPoints), generator(gen), order(ownOrder) {}
+
+    static bool isComputed(const Generator* gen) {
+        return gen && (gen->source() == Generator::Source::sequence ||
+                       gen->source() == Generator::Source::blue);
+    }
 
     /// What is drawn, where that needs no virtual call: from the tables or computed, padded or from
     /// slots without splits.

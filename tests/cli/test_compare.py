@@ -292,6 +292,7 @@ class CompareTest(CliTest):
         with open(self.path("text.png"), "w", encoding="ascii") as file:
             file.write("no picture")
         for mask, mentions in (("none.png", "none.png"), ("text.png", "text.png"),
+                               ("rough", "'rough' is neither 'smooth' nor a picture"),
                                ("black.png", "no pixel would count"), ("small.png", "40x29")):
             self.assert_fails(*COMPARE, "--mask", mask, mentions=mentions)
         # The noise of two samples is nowhere smooth.

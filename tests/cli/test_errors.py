@@ -40,6 +40,7 @@ BAD_INPUT = (
     ((*SAMPLE, "--pattern", "-1"), "4294967295"),
     ((*SAMPLE, "--pattern", "zebra"), "'zebra'"),
     ((*SAMPLE, "--generator", "sobol"), "pmj, random, long, blue, joint"),
+    ((*SAMPLE, "--generator", "long:3+7"), "are for study, analyze and report; here it is 'long'"),
     ((*SAMPLE, "--generator", "a\nb\x1b[31m"), r"'a\nb\x1b[31m'"),
     ((*SAMPLE, "--format", "xml"), "csv"),
     ((*SAMPLE, "--nonsense"), "--nonsense"),

@@ -217,6 +217,14 @@ class ReportTest(CliTest):
                 (("--bench", "negative.json"), "not above 0")):
             self.assert_fails("report", *arguments, mentions=mentions)
 
+    def test_slots(self):
+        self.output_of("report", "--quick", "--patterns", "4", "--count", "64", "--generators",
+                       "long:3+7,joint:1,blue:0+1", "--integrands", "disk^2", "-o", "r.html")
+        page = self.read("r.html").decode()
+        for text in ("Stratified, long, slots 3+7", "Stratified jointly, slots 1", "long:3+7",
+                     "slots of blue, for one domain each"):
+            self.assertIn(text, page)
+
     def test_no_file_without_gnuplot(self):
         self.assert_fails(*REPORT, env={**os.environ, "PATH": self.directory}, mentions="gnuplot")
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The first draw of a process, which builds the tables, made by many threads at once. Each test
-// below needs a process of its own; ctest gives it one. Run under the thread sanitizer too, which
-// sees what the values cannot show.
+// The first draw of a process, which builds the tables or needs none. Many threads make it at once.
+// Each test below needs a process of its own; ctest gives it one. Run under the thread sanitizer
+// too, which sees what the values cannot show.
 
 #include "RixRNG.h"
+#include "wellstrat/blue.h"
+#include "wellstrat/long.h"
 #include "wellstrat/tables.h"
 
 #include <gtest/gtest.h>
@@ -70,5 +72,25 @@ TEST(FirstUse, ExplicitBuildsRace) {
     race([&](unsigned thread) { built[thread] = wellstrat::buildTables(); });
     for (const uint32_t* words : built) EXPECT_EQ(words, wellstrat::tables());
 }
+
+// Draws all that there is through RixRNGs of this generator, from few and from many points.
+void expectNoTables(const RixRNG::Generator& generator) {
+    constexpr unsigned kPoints = 100;
+    std::vector<RixRNG::SampleCtx> contexts(kPoints), children(kPoints);
+    std::vector<RtFloat3> xis(kPoints);
+    for (unsigned i = 0; i < kPoints; ++i) contexts[i] = generator.CameraContext(9, 7, 1, i);
+    for (const unsigned n : {3u, kPoints}) {
+        const RixRNG camera(contexts.data(), n, &generator);
+        const RixRNG slot(camera, wellstrat::jointScramble(2), children, RixRNG::Split{2});
+        for (const RixRNG& rng : {camera, slot}) {
+            rng.DrawSamples3D(xis);
+            EXPECT_EQ(rng.DrawSample3D(n - 1), xis[n - 1]);
+        }
+    }
+    EXPECT_EQ(wellstrat::detail::tableWords.load(), nullptr) << "12 MiB, and milliseconds";
+}
+
+TEST(FirstUse, LongSamplesNeedNoTables) { expectNoTables(wellstrat::LongProgressive()); }
+TEST(FirstUse, BlueSamplesNeedNoTables) { expectNoTables(wellstrat::BlueProgressive()); }
 
 } // namespace

@@ -3,11 +3,20 @@
 // Generators: who is asked for a sample, with which arguments, and what children inherit.
 
 #include "RixRNG.h"
+#include "wellstrat/blue.h"
+#include "wellstrat/joint.h"
+#include "wellstrat/long.h"
 #include "wellstrat/random_generator.h"
 
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#ifdef __clang__
+#define CONSTANT [[clang::require_constant_initialization]]
+#else
+#define CONSTANT __constinit
+#endif
 
 namespace {
 
@@ -15,6 +24,12 @@ using SampleCtx = RixRNG::SampleCtx;
 using Scramble = RixRNG::Scramble;
 
 constexpr Scramble kScramble = static_cast<Scramble>(0x2d96c92bu);
+
+// Generators without state are there before the first constructor of the program runs: the compiler
+// refuses these otherwise.
+CONSTANT const wellstrat::JointProgressive kJoint;
+CONSTANT const wellstrat::LongProgressive kLong;
+CONSTANT const wellstrat::BlueProgressive kBlue;
 
 /// Samples that tell what they were asked with, and a record of which domains were derived.
 class TellTale : public RixRNG::Generator {
@@ -242,6 +257,21 @@ TEST_F(GeneratorTest, DomainsDoNotDependOnTheGenerator) {
         EXPECT_EQ(children[i].patternid, others[i].patternid);
         EXPECT_EQ(children[i].sampleid, others[i].sampleid);
     }
+}
+
+// One is like another: nothing is in them but what they are.
+TEST(ConstantGenerators, HaveNoState) {
+    const SampleCtx sc{5, 6};
+    const auto expectNone = [&sc](const RixRNG::Generator& one, const RixRNG::Generator& other) {
+        EXPECT_EQ(one.Sample3D(sc, 0), other.Sample3D(sc, 0));
+        EXPECT_EQ(one.Sample3D(sc, 0), one.Sample3D(sc, 9));
+    };
+    expectNone(kJoint, wellstrat::JointProgressive());
+    expectNone(kLong, wellstrat::LongProgressive());
+    expectNone(kBlue, wellstrat::BlueProgressive());
+    static_assert(sizeof kJoint == sizeof(RixRNG::Generator), "no members");
+    static_assert(sizeof kLong == sizeof(RixRNG::Generator), "no members");
+    static_assert(sizeof kBlue == sizeof(RixRNG::Generator), "no members");
 }
 
 TEST(RandomGenerator, IsHashToRandomAndRepeats) {

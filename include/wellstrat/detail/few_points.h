@@ -16,7 +16,7 @@ namespace detail {
 /// Up to so many points are few (docs/performance.md).
 constexpr unsigned kFewPoints = 7;
 
-// The tables are built (lookup.h) for all draws, as each RixRNG sees to.
+// The tables are built (lookup.h) for all draws, as each RixRNG without a generator sees to.
 
 inline void drawSamples1D(unsigned n, const SampleCtx* contexts, float* xis) {
     if (n > kFewPoints) return wellstrat::drawSamples1D(n, contexts, xis);

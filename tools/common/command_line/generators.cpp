@@ -43,6 +43,12 @@ const NamedGenerator& findGenerator(const std::string& option, const std::string
     std::string names;
     for (const NamedGenerator& candidate : among) {
         if (name == candidate.name) return candidate;
+        if (name.rfind(fmt::format("{}:", candidate.name), 0) == 0) {
+            throw CliError(
+                fmt::format("{}: slots, as in '{}', are for study, analyze and report; here it is "
+                            "'{}'",
+                            option, name, candidate.name));
+        }
         names += names.empty() ? candidate.name : fmt::format(", {}", candidate.name);
     }
     throw CliError(

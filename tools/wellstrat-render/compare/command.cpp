@@ -110,7 +110,8 @@ render::PixelMask readMask(const std::string& path, ImageSize size) {
     } catch (const CliError&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw refuse(fmt::format("cannot be read: {}", error.what()));
+        throw refuse(fmt::format("is neither '{}' nor a picture that can be read: {}", kSmoothMask,
+                                 error.what()));
     }
 }
 

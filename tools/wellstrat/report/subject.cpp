@@ -22,12 +22,13 @@ MeasuredSet setOf(const StudySource& source, unsigned dims, std::size_t count,
     return generatorSubject({source.name, dims, count, 0, realizations}, *source.source).set;
 }
 
-std::string descriptionOf(const std::string& name) {
-    for (const StudySourceKind& kind : studySourceKinds()) {
-        if (kind.name == name) return kind.description;
+void refuseFiles(const std::vector<StudySource>& sources) {
+    for (const StudySource& source : sources) {
+        if (!source.description.empty()) continue;
+        throw CliError(fmt::format(
+            "--generators: '{}' has too few patterns for a report; see 'wellstrat analyze'",
+            source.name));
     }
-    throw CliError(fmt::format(
-        "--generators: '{}' has too few patterns for a report; see 'wellstrat analyze'", name));
 }
 
 void measurePlane(const StudySource& source, const ReportSize& size, ReportSubject& subject) {
@@ -44,6 +45,7 @@ void measureCube(const StudySource& source, const ReportSize& size, ReportSubjec
 
 std::vector<ReportSubject> measureSubjects(const std::vector<StudySource>& sources,
                                            const ReportSize& size) {
+    refuseFiles(sources);
     std::vector<ReportSubject> subjects;
     for (const StudySource& source : sources) {
         const auto stream = [&source](unsigned dims, std::size_t count) {
@@ -52,7 +54,7 @@ std::vector<ReportSubject> measureSubjects(const std::vector<StudySource>& sourc
         };
         subjects.push_back({source.name,
                             generatorTitle(source.name),
-                            descriptionOf(source.name),
+                            source.description,
                             stream(1, kLinePoints),
                             stream(2, kPlanePoints),
                             stream(3, kCubePoints),

@@ -18,6 +18,7 @@ struct StudySource {
     std::string name;
     PointSourcePtr source;
     PixelPattern patternOf = cameraPattern; ///< in a study of pictures
+    std::string description = {};           ///< for readers; none of a file
 };
 
 /// The errors of patterns 0 to patterns - 1, each by itself; or, with a filter, what is left after

@@ -104,7 +104,8 @@ StudySourceKind jointKind(const std::string& option, const std::string& name,
             fmt::format("{}: '{}': {}; accepted are different slots from 0 to {}, as in {}3+7",
                         option, name, error.what(), kJointSlots - 1, kind.prefix));
     }
-    return {name, "", [slots, g = kind.generator] { return jointSource(slots, g); },
+    return {name, fmt::format("slots of {}, for one domain each", name.substr(0, name.find(':'))),
+            [slots, g = kind.generator] { return jointSource(slots, g); },
             patternOf(kind.generator)};
 }
 
@@ -130,9 +131,10 @@ StudySource makeSource(const std::string& name) {
         PointFileOptions options;
         options.path = name.substr(std::strlen(kFilePrefix));
         if (options.path != "-") declareInput(options.path);
-        return {name, std::make_unique<FileSource>(readPatterns(options))};
+        return {name, std::make_unique<FileSource>(readPatterns(options)), cameraPattern, ""};
     }
-    return {name, findKind("--generators", name, studySourceKinds(), ", file:PATH").make()};
+    const StudySourceKind kind = findKind("--generators", name, studySourceKinds(), ", file:PATH");
+    return {name, kind.make(), cameraPattern, kind.description};
 }
 
 StudySource makePictureSource(const std::string& name) {
@@ -145,7 +147,7 @@ StudySource makePictureSource(const std::string& name) {
     std::vector<StudySourceKind> kinds = studySourceKinds();
     for (StudySourceKind& kind : rivalSourceKinds()) kinds.push_back(std::move(kind));
     const StudySourceKind kind = findKind("--generators", name, std::move(kinds), "");
-    return {name, kind.make(), kind.patternOf};
+    return {name, kind.make(), kind.patternOf, kind.description};
 }
 
 /// What make(name) gives for each name, repetitions dropped.
