@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rank_search/merit.h"
 
-#include <cmath>
-
 namespace wellstrat::ranks {
 namespace {
 
@@ -19,8 +17,6 @@ enum Function : std::size_t {
     kSmoothXYZ,
     kAcross ///< and those behind it
 };
-
-double powerOfTwo(unsigned k) { return std::ldexp(1.0, static_cast<int>(k)); }
 
 std::vector<Products> makeFunctions() {
     std::vector<Products> result{Products(std::size_t{kRun} * kRanks, 1.0),
@@ -129,13 +125,13 @@ const std::vector<Model>& modelsOfPairs() {
 Sums sumsOf(const Model& model, unsigned k) {
     double padded = 0;
     for (unsigned j = 0; j <= k; ++j) padded += paddedSum(model, j);
-    const double variance = padded / powerOfTwo(k) - 1;
+    const double variance = padded / levels::powerOfTwo(levels::toInt(k)) - 1;
     Sums sums;
     sums.offset = 1 / variance;
     for (const Product& product : model.products) {
         Sums::Term term{product.first, product.second, {}};
         for (std::size_t n = 0; n < std::size_t{1} << k; ++n) {
-            term.weight[n] = product.weight / (powerOfTwo(k) * variance);
+            term.weight[n] = product.weight / (levels::powerOfTwo(levels::toInt(k)) * variance);
         }
         sums.terms.push_back(term);
     }
