@@ -41,12 +41,11 @@ inline std::vector<std::string> wholeLab() {
 }
 
 inline std::vector<wellstrat::bank::JudgedIntegrand>
-judgedLab(const std::vector<std::string>& names) {
-    constexpr unsigned kGridDigits = 20;
+judgedLab(const std::vector<std::string>& names, unsigned gridDigits = 20) {
     std::vector<wellstrat::bank::JudgedIntegrand> judged;
     for (const std::string& name : names) {
         judged.push_back(
-            wellstrat::bank::judgedIntegrand(wellstrat::makeIntegrand(name), kGridDigits));
+            wellstrat::bank::judgedIntegrand(wellstrat::makeIntegrand(name), gridDigits));
     }
     return judged;
 }

@@ -247,6 +247,7 @@ const std::vector<PairModel>& pairModels() { return models().pairs; }
 const std::vector<TripleModel>& tripleModels() { return models().triples; }
 
 Standard standardOf(std::size_t slot) {
+    if (slot < 2) return {8, 1.0f, 1.0f, 3000};
     if (slot < 4) return {4, 1.0f, 1.06f, 3000};
     if (slot < 8) return {2, 1.1f, 1.25f, 1000};
     return {1, 1.35f, 1.65f, 60};

@@ -71,7 +71,8 @@ float price(float squaredRatio, const Standard& standard);
 /// nothing but above their limit, from 64 points on.
 float price(const PairModel& model, unsigned digits, float squaredRatio, const Standard& standard);
 
-/// What pairs and triples whose largest number is `slot` are held to.
+/// What pairs and triples whose largest number is `slot` are held to: pairs of lower slots to more,
+/// and slots 0 and 1, which most programs take, to most.
 Standard standardOf(std::size_t slot);
 
 /// The weight of the price for 2^digits points: with few points little can be had, and much be

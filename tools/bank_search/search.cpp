@@ -24,11 +24,11 @@ struct Candidate {
 };
 
 /// How many banks are kept with so many columns: the same for all up to 64 points, as early columns
-/// decide most, then half for each column more.
+/// decide most, then half for each column more, but not too few while 4096 points are to come.
 std::size_t widthOf(std::size_t width, unsigned digits) {
-    if (digits > kTableSizeLog2) return 2;
+    if (digits > kTableSizeLog2) return 8;
     const unsigned halvings = digits > 6 ? digits - 6 : 0;
-    return std::max<std::size_t>(width >> halvings, width / 32 + 2);
+    return std::max<std::size_t>(width >> halvings, width / 16 + 2);
 }
 
 /// Drops those that cost the same as one before: other ways to write the same bank.

@@ -16,7 +16,7 @@ namespace wellstrat::bank {
 constexpr std::array<std::size_t, 2> kSteps{8, 16};
 
 struct SearchOptions {
-    uint32_t seed = 2;
+    uint32_t seed = 12;
     unsigned width = 700;      ///< of the beam for up to 64 points
     unsigned attempts = 100;   ///< to improve one column of one bank
     unsigned digits = kDigits; ///< columns; at least 1. Those beyond are zero

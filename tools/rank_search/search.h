@@ -12,7 +12,7 @@
 namespace wellstrat::ranks {
 
 struct SearchOptions {
-    uint32_t seed = 1;
+    uint32_t seed = 2;
     unsigned sweeps = 800; ///< of each annealing
     unsigned rounds = 3;   ///< of improvement of the slots' ranks
     std::size_t slots = 16;

@@ -23,7 +23,10 @@ RankMatrix randomZ(std::mt19937& random);
 /// a mean over 1 to kRun samples a pixel.
 double meritOfZ(const RankMatrix& matrix, const Weights& weights);
 
+/// What the library's Dz is found with.
+constexpr uint32_t kSeedOfZ = 1;
+
 /// The best of `candidates` random ones.
-RankMatrix searchZ(uint32_t seed = 1, unsigned candidates = 100);
+RankMatrix searchZ(uint32_t seed = kSeedOfZ, unsigned candidates = 100);
 
 } // namespace wellstrat::ranks

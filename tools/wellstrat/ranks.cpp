@@ -148,8 +148,9 @@ void addRanks(CLI::App& app, int& /*exitCode*/) {
     CLI::App* const command = app.add_subcommand(
         "ranks", "Search the ranks of pixels that are stratified with their neighbours");
     const auto options = std::make_shared<RanksOptions>();
-    CLI::Option* const seed = addNumber(*command, "--seed", options->seed, {0, kMaxWord},
-                                        fmt::format("Seed of the search [{}]", options->seed));
+    CLI::Option* const seed = addNumber(
+        *command, "--seed", options->seed, {0, kMaxWord},
+        fmt::format("Seed of the search [{}, with --z {}]", options->seed, ranks::kSeedOfZ));
     CLI::Option* const sweeps =
         addNumber(*command, "--sweeps", options->sweeps, {0, 1000000},
                   fmt::format("Sweeps over a tile that is annealed [{}]", options->sweeps));
@@ -171,7 +172,10 @@ void addRanks(CLI::App& app, int& /*exitCode*/) {
     command->add_option("-o", options->output, "Write to FILE [standard output]")
         ->type_name("FILE");
     command->footer(kExamples);
-    command->callback([options] { run(*options); });
+    command->callback([options, seed] {
+        if (options->z && seed->empty()) options->seed = ranks::kSeedOfZ;
+        run(*options);
+    });
 }
 
 } // namespace wellstrat::cli
