@@ -111,6 +111,7 @@ TEST(BankSearch, ProductsOfIntegrandsHaveALimit) {
     }
     EXPECT_GT(integrands, 100u);
     EXPECT_LT(standardOf(1).limit, standardOf(2).limit);
+    EXPECT_GT(standardOf(1).weight, standardOf(2).weight);
     EXPECT_LT(standardOf(3).limit, standardOf(4).limit);
     EXPECT_LT(standardOf(7).limit, standardOf(8).limit);
 }
