@@ -124,7 +124,7 @@ describe("domains", () => {
         const {page, faults} = await open(browser);
         await page.getByRole("tab", {name: "Points"}).focus();
         await page.keyboard.press("ArrowRight");
-        const text = () => caption(page, "x of A and y of B").locator("figcaption").textContent();
+        const text = () => caption(page, "x of A and x of B").locator("figcaption").textContent();
         await expect
             .poll(text)
             .toMatch(
